@@ -26,7 +26,7 @@ from robots import ROOT, Corpus
 
 import yamaro
 from tests.fenced import read_blocks
-from tests.test_cases import find_cases, read_options
+from tests.golden import find_cases, read_options
 from tests.tools.test_format import build_of, laid_out
 from yamaro.policy import Limits
 from yamaro.source import Source

@@ -11,7 +11,6 @@ a conversion is judged by the conversion's tests; `scripts/test` runs all.
 
 from __future__ import annotations
 
-import ast
 import re
 import subprocess
 import sys
@@ -36,6 +35,10 @@ CORE = (
     "tests/test_fixes.py",
 )
 ALWAYS = ("tests/test_architecture.py", "tests/test_diagnostics_listed.py", "tests/test_names.py")
+IMPORT = re.compile(
+    r"^[ \t]*(?:from[ ]+(\.*)([\w.]*)[ ]+)?import[ ]+(\([^)]*\)|[^\n#;]+)", re.MULTILINE
+)
+"""Reads a thousand files in a tenth of the time that their syntax trees take."""
 HARNESS = re.compile(r"pyproject\.toml|tests/(conftest|effort)\.py|scripts/(test|lib\.sh)")
 ELSEWHERE = {
     "README.md": ("tests/test_readme.py", "tests/test_links.py", "tests/test_docs.py"),
@@ -49,7 +52,7 @@ ELSEWHERE = {
     "ros/": ("tests/ros",),
     "scripts/": ("tests/test_release.py",),
     "src/yamaro/tools/new/template/": ("tests/tools/new",),
-    "tests/cases/": ("tests/test_cases.py", "tests/test_fixes.py"),
+    "tests/cases/": ("tests/test_cases.py", "tests/test_fixes.py", "tests/test_allowances.py"),
     "tests/hostile/": ("tests/test_hostile.py", "tests/test_hostile_escapes.py"),
     "web/playground/": ("tests/playground",),
     "web/site/": ("tests/site",),
@@ -155,14 +158,15 @@ def _imports_of_tests() -> dict[str, set[str]]:
 def _imported(path: Path, name: str) -> Iterator[str]:
     """Give the modules that a file imports, and `module.name` for what may be one."""
     parts = name.split(".")
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        if isinstance(node, ast.Import):
-            yield from (one.name for one in node.names)
-        elif isinstance(node, ast.ImportFrom):
-            above = parts[: len(parts) - node.level + (path.stem == "__init__")]
-            base = ".".join([*(above if node.level else ()), *filter(None, [node.module])])
+    for dots, module, names in IMPORT.findall(path.read_text(encoding="utf-8")):
+        imported = [one.split()[0] for one in names.strip("()").split(",") if one.strip()]
+        if dots or module:
+            above = parts[: len(parts) - len(dots) + (path.stem == "__init__")]
+            base = ".".join([*(above if dots else ()), *filter(None, [module])])
             yield base
-            yield from (f"{base}.{one.name}" for one in node.names)
+            yield from (f"{base}.{one}" for one in imported)
+        else:
+            yield from imported
 
 
 if __name__ == "__main__":

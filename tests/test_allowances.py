@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.test_cases import case_id, find_cases
+from tests.golden import case_id, find_cases
 from tests.test_fixes import applied, findings
 from yamaro.allowances import acceptance, allowances_of
 from yamaro.api import build, load

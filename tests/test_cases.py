@@ -1,4 +1,4 @@
-"""Compiles each tests/cases/<area>/<name>.yaml and compares all it writes, to the character.
+"""Compiles each golden case and compares all it writes, to the character.
 
 tests/cases/README.md says how a case is written.
 """
@@ -11,50 +11,49 @@ import re
 import shlex
 import sys
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import pytest
 from lxml import etree
 from packaging.specifiers import SpecifierSet
 
-from tests.effort import sample
+from tests import golden
+from tests.effort import is_drawn, is_quick
+from tests.golden import (
+    CASES,
+    case_id,
+    find_cases,
+    read_expected,
+    read_options,
+    read_page,
+    store,
+    write_page,
+)
 from tests.unshared import unsharing
 from yamaro import pipeline
 from yamaro.commands.main import main
 from yamaro.sandbox import jail
 
-CASES = Path(__file__).parent / "cases"
-OPTIONS = ("args", "command", "env", "python", "strict")
 
-
-def find_cases() -> list[Path]:
-    return sorted(path for path in CASES.glob("*/*.yaml") if not path.name.startswith("_"))
-
-
-def case_id(path: Path) -> str:
-    return f"{path.parent.name}/{path.stem}"
-
-
-def read_options(case: Path) -> dict[str, str]:
-    """Return the options in the comment lines that a case begins with."""
-    options = {}
-    # Cases about encodings are no UTF-8, so the head is read as bytes.
-    for line in case.read_bytes().removeprefix(b"\xef\xbb\xbf").decode("latin-1").splitlines():
-        if not line.startswith("#"):
-            break
-        name, _, value = line[1:].strip().partition(":")
-        if name in OPTIONS:
-            options[name] = value.strip()
-    return options
-
-
-class Result:
+class Result(NamedTuple):
     """What one run of the command gave."""
 
-    def __init__(self, status: int, xml: str, messages: str) -> None:
-        self.status = status
-        self.xml = xml
-        self.messages = messages
+    status: int
+    xml: str
+    messages: str
+
+
+def expected_of(case: Path) -> Result:
+    xml, messages = case.with_suffix(".xml"), case.with_suffix(".err")
+    return Result(0 if xml.exists() else 1, read_expected(xml), read_expected(messages))
+
+
+def drawn_cases(*, of: int) -> list[Any]:
+    """Return the cases as parameters; only one of so many is not slow."""
+    return [
+        pytest.param(case, marks=[pytest.mark.slow] * (not is_drawn(case_id(case), of=of)))
+        for case in find_cases()
+    ]
 
 
 @pytest.fixture
@@ -82,10 +81,6 @@ def _portable(text: str) -> str:
     return text.replace(str(CASES), "CASES")
 
 
-def read_expected(path: Path) -> str:
-    return path.read_bytes().decode() if path.exists() else ""
-
-
 def difference(expected: str, actual: str, name: str) -> str:
     lines = difflib.unified_diff(
         expected.splitlines(), actual.splitlines(), f"{name} expected", "actual", lineterm="", n=5
@@ -99,13 +94,9 @@ def rewrite(case: Path, result: Result) -> list[str]:
     changed = []
     for suffix, text in ((".xml", result.xml), (".err", result.messages)):
         path = case.with_suffix(suffix)
-        if text == read_expected(path):
-            continue
-        changed.append(path.name)
-        if text:
-            path.write_bytes(text.encode())
-        else:
-            path.unlink()
+        if text != read_expected(path):
+            changed.append(path.name)
+            store(case, suffix, text)
     return changed
 
 
@@ -121,8 +112,6 @@ def test_case_gives_exactly_what_is_expected(
         pytest.skip(f"is for Python {options['python']}")
     modules_before = set(sys.modules)
     result = compile_case(case, options)
-    again = compile_case(case, options)
-
     if request.config.getoption("--update-cases"):
         changed = rewrite(case, result)
         assert not changed, f"rewritten, now read it: {', '.join(changed)}"
@@ -136,19 +125,13 @@ def test_case_gives_exactly_what_is_expected(
     expected_xml = read_expected(xml)
     assert result.xml == expected_xml, difference(expected_xml, result.xml, xml.name)
     assert result.status == (0 if xml.exists() else 1)
-    assert (again.status, again.xml, again.messages) == (
-        result.status,
-        result.xml,
-        result.messages,
-    ), "a second run in the same process gives something else"
-    with monkeypatch.context() as patch:
-        patch.setattr(pipeline, "Interpreter", unsharing)
-        plain = compile_case(case, options)
-    assert (plain.status, plain.xml, plain.messages) == (
-        result.status,
-        result.xml,
-        result.messages,
-    ), "sharing elements between places changes something"
+    if not is_quick() or is_drawn(case_id(case), of=8):
+        again = compile_case(case, options)
+        assert again == result, "a second run in the same process gives something else"
+        with monkeypatch.context() as patch:
+            patch.setattr(pipeline, "Interpreter", unsharing)
+            plain = compile_case(case, options)
+        assert plain == result, "sharing elements between places changes something"
     left = {name for name in set(sys.modules) - modules_before if is_from_a_case(name)}
     assert not left, f"modules stay in sys.modules: {sorted(left)}"
 
@@ -159,7 +142,7 @@ UNSAFE = re.compile(
 """What safe mode and the jail may say where trusted mode says something else."""
 
 
-@pytest.mark.parametrize("case", find_cases(), ids=case_id)
+@pytest.mark.parametrize("case", drawn_cases(of=6), ids=case_id)
 def test_safe_mode_gives_the_same_or_refuses(
     case: Path, compile_case: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -168,7 +151,6 @@ def test_safe_mode_gives_the_same_or_refuses(
         pytest.skip("has a mode of its own")
     if platform.python_version() not in SpecifierSet(options.get("python", "")):
         pytest.skip(f"is for Python {options['python']}")
-    trusted = compile_case(case, options)
     monkeypatch.setattr(jail, "check_available", lambda: "what matters here is the language")
     options["args"] = f"--safe {options.get('args', '')}"
     safe = compile_case(case, options)
@@ -176,32 +158,23 @@ def test_safe_mode_gives_the_same_or_refuses(
         assert safe.status == 1
         assert safe.xml == ""
         return
-    assert (safe.status, safe.xml, safe.messages) == (
-        trusted.status,
-        trusted.xml,
-        trusted.messages,
-    )
+    assert safe == expected_of(case)
 
 
 @pytest.mark.skipif(jail.check_available() is not None, reason="there is no jail here")
-@pytest.mark.parametrize("case", sample(find_cases()[::3], every=5), ids=case_id)
+@pytest.mark.parametrize("case", drawn_cases(of=40), ids=case_id)
 def test_what_comes_out_of_a_jail_is_the_same(case: Path, compile_case: Any) -> None:
     options = read_options(case)
     if options.get("command") or "--" in options.get("args", "") or "env" in options:
         pytest.skip("has a mode or an environment of its own")
     if platform.python_version() not in SpecifierSet(options.get("python", "")):
         pytest.skip(f"is for Python {options['python']}")
-    expected = (
-        0 if case.with_suffix(".xml").exists() else 1,
-        read_expected(case.with_suffix(".xml")),
-        read_expected(case.with_suffix(".err")),
-    )
     options["args"] = f"--jail {options.get('args', '')}"
     jailed = compile_case(case, options)
     if jailed.messages.startswith("error[path-outside]"):
         assert jailed.xml == ""
         return
-    assert (jailed.status, jailed.xml, jailed.messages) == expected
+    assert jailed == expected_of(case)
 
 
 def is_from_a_case(module_name: str) -> bool:
@@ -209,12 +182,12 @@ def is_from_a_case(module_name: str) -> bool:
     return file is not None and CASES in Path(file).parents
 
 
-@pytest.mark.parametrize("expected", sorted(CASES.glob("*/*.xml")), ids=case_id)
-def test_expected_output_is_well_formed(expected: Path) -> None:
-    if read_options(expected.with_suffix(".yaml")).get("command") == "why":
-        assert " = " in expected.read_text(encoding="utf-8").partition("\n")[0]
-        return
-    assert etree.parse(expected).getroot() is not None
+def test_expected_output_is_well_formed() -> None:
+    for expected in sorted(CASES.glob("*/*.xml")):
+        if read_options(expected.with_suffix(".yaml")).get("command") == "why":
+            assert " = " in expected.read_text(encoding="utf-8").partition("\n")[0], expected
+        else:
+            assert etree.parse(expected).getroot() is not None
 
 
 def test_every_expected_file_belongs_to_a_case() -> None:
@@ -227,3 +200,55 @@ def test_options_are_read_from_the_head_only(tmp_path: Path) -> None:
     case = tmp_path / "case.yaml"
     case.write_text("# strict\n# args: a:=1 'b:=x y'\n# a note: kept out\nmodel:\n# python: <3\n")
     assert read_options(case) == {"strict": "", "args": "a:=1 'b:=x y'"}
+
+
+PAGE = b"""\
+### one
+# strict
+model:
+=== xml
+<robot name="one"/>
+=== err
+warning
+### two
+# has no output yet
+"""
+
+
+def test_a_page_holds_cases_and_what_is_expected_of_them() -> None:
+    page = read_page(PAGE)
+    assert page["one"] == {
+        ".yaml": b"# strict\nmodel:\n",
+        ".xml": b'<robot name="one"/>\n',
+        ".err": b"warning\n",
+    }
+    assert page["two"] == {".yaml": b"# has no output yet\n"}
+    assert write_page(page) == PAGE
+
+
+def test_a_case_is_on_one_page_only_once() -> None:
+    with pytest.raises(AssertionError, match="one is there twice"):
+        read_page(PAGE + PAGE)
+
+
+def test_what_a_case_gives_is_kept_where_its_input_is(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(golden, "STORED", tmp_path / "cases")
+    (tmp_path / "cases" / "area").mkdir(parents=True)
+    (tmp_path / "cases" / "area" / "page.txt").write_bytes(PAGE)
+    (tmp_path / "cases" / "area" / "file.yaml").write_bytes(b"model:\n")
+    folder = golden.unpack(tmp_path / "unpacked") / "area"
+    assert {path.name for path in folder.iterdir()} == {
+        *("file.yaml", "one.yaml", "one.xml", "one.err", "two.yaml")
+    }
+    store(folder / "one.yaml", ".xml", "<new/>\n")
+    store(folder / "one.yaml", ".err", "")
+    store(folder / "file.yaml", ".err", "error\n")
+    kept = (tmp_path / "cases" / "area" / "page.txt").read_bytes()
+    assert kept == PAGE.replace(b'<robot name="one"/>', b"<new/>").replace(
+        b"=== err\nwarning\n", b""
+    )
+    before = {path: path.read_bytes() for path in folder.iterdir()}
+    golden.unpack(tmp_path / "unpacked")
+    assert {path: path.read_bytes() for path in folder.iterdir()} == before

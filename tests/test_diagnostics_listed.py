@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import ast
 import re
+from functools import cache
 from pathlib import Path
 from urllib.parse import urlsplit
 from urllib.request import url2pathname
 
 import pytest
 
+from tests.golden import CASES
 from yamaro.codes import ADJUSTABLE, help_text, help_uri
 
 REPOSITORY = Path(__file__).parents[1]
@@ -60,22 +62,27 @@ def codes_listed() -> list[str]:
 
 
 def codes_of_cases() -> set[str]:
-    files = (REPOSITORY / "tests" / "cases").glob("*/*.err")
+    files = CASES.glob("*/*.err")
     return {code for file in files for code in GIVEN.findall(file.read_bytes().decode())}
 
 
-def codes_in_source(raisers: set[str] = RAISERS) -> set[str]:
-    return {
-        code.value
+@cache
+def calls_with_codes() -> list[tuple[str, str]]:
+    """Return the name of what is called, and a code among the first two arguments."""
+    return [
+        (getattr(call.func, "attr", getattr(call.func, "id", "")), code.value)
         for file in (REPOSITORY / "src").rglob("*.py")
         for call in ast.walk(ast.parse(file.read_text(encoding="utf-8")))
         if isinstance(call, ast.Call)
-        and getattr(call.func, "attr", getattr(call.func, "id", "")) in raisers
         for code in call.args[:2]
         if isinstance(code, ast.Constant)
         and isinstance(code.value, str)
         and re.fullmatch(CODE, code.value)
-    }
+    ]
+
+
+def codes_in_source(raisers: set[str] = RAISERS) -> set[str]:
+    return {code for name, code in calls_with_codes() if name in raisers}
 
 
 listing = pytest.mark.skipif(not LISTING.exists(), reason="docs/diagnostics.md is not written yet")
@@ -140,7 +147,7 @@ def test_the_page_shows_which_codes_can_be_allowed_and_denied() -> None:
 
 
 def test_what_is_a_warning_somewhere_can_be_denied() -> None:
-    files = (REPOSITORY / "tests" / "cases").glob("*/*.err")
+    files = CASES.glob("*/*.err")
     warned = {code for file in files for code in WARNED.findall(file.read_bytes().decode())}
     migration = {"not-migrated"}  # a warning of `migrate`, which builds nothing
     assert sorted((warned | codes_in_source({"warn"})) - ADJUSTABLE - migration) == []

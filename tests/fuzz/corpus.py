@@ -13,6 +13,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
+from tests.golden import CASES
 from yamaro.diagnostics import Reporter, YamaroError
 from yamaro.source import Source
 from yamaro.yaml.nodes import MappingNode, ScalarNode, quoted
@@ -56,7 +57,7 @@ def to_bytes(text: str) -> bytes:
 def find_files() -> list[Path]:
     """Return the YAML files of the project that stand for themselves."""
     paths = sorted((ROOT / "examples").rglob("*.yaml"))
-    paths += sorted((ROOT / "tests" / "cases").rglob("*.yaml"))
+    paths += sorted(CASES.rglob("*.yaml"))
     return [path for path in paths if not path.name.startswith("_") and path.stat().st_size < LARGE]
 
 

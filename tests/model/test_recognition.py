@@ -13,12 +13,12 @@ from xml.etree import ElementTree
 import pytest
 
 import yamaro
+from tests.golden import CASES
 from yamaro.model import Camera, Lidar, Ranger, Robot
 
 if TYPE_CHECKING:
     from yamaro.model import Sensor
 
-CASES = Path(__file__).parents[1] / "cases"
 IGN = shutil.which("ign")
 
 

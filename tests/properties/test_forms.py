@@ -13,8 +13,9 @@ from typing import Any
 
 import pytest
 
+from tests.effort import is_drawn, is_quick
 from tests.example_files import PROGRAMS
-from tests.test_cases import find_cases, read_options
+from tests.golden import case_id, find_cases, read_options
 from yamaro.commands.main import main
 from yamaro.syntax import parser
 from yamaro.syntax.names import is_function_name
@@ -157,6 +158,8 @@ def test_cases_give_the_same_in_both_forms(
     for case in find_cases():
         options = read_options(case)
         if case.parent.name != area or case.stem in ABOUT_THE_FORM or "command" in options:
+            continue
+        if is_quick() and not is_drawn(case_id(case), of=4):
             continue
         with monkeypatch.context() as patch:
             for setting in shlex.split(options.get("env", "")):

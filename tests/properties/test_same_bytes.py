@@ -12,8 +12,9 @@ from typing import Any
 
 import pytest
 
+from tests.effort import is_drawn, is_quick
 from tests.example_files import PROGRAMS
-from tests.test_cases import find_cases, read_options
+from tests.golden import case_id, find_cases, read_options
 
 ROOT = Path(__file__).parents[2]
 # Those that show where they run, or for which Python, differ by right.
@@ -70,7 +71,8 @@ def plain_cases() -> list[Path]:
     return [
         case
         for case in find_cases()
-        if case.with_suffix(".xml").exists()
+        if (not is_quick() or is_drawn(case_id(case), of=4))
+        and case.with_suffix(".xml").exists()
         and not read_options(case)
         and not any(word in case.read_text(encoding="utf-8") for word in ABOUT_THE_PLACE)
     ]

@@ -5,14 +5,14 @@ from __future__ import annotations
 import os
 import shutil
 import subprocess
-from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
 
 import yamaro
+from tests.golden import CASES
 
-CASE = Path(__file__).parents[1] / "cases" / "sensors" / "gazebo.yaml"
+CASE = CASES / "sensors" / "gazebo.yaml"
 IGN = shutil.which("ign")
 
 

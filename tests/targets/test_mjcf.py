@@ -11,6 +11,7 @@ import pytest
 
 import yamaro
 from tests.consumers.oracles import require_module
+from tests.golden import CASES
 from tests.targets.mechanics import (
     Mujoco,
     PinocchioMjcf,
@@ -211,10 +212,10 @@ def test_fingers_that_weigh_almost_nothing_hold_their_home() -> None:
     assert found.worst < 0.05, found.joint
 
 
-CASES = sorted((ROOT / "tests" / "cases" / "targets").glob("mjcf*.xml"))
+WRITTEN = sorted((CASES / "targets").glob("mjcf*.xml"))
 
 
-@pytest.mark.parametrize("path", CASES, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", WRITTEN, ids=lambda path: path.stem)
 def test_mujoco_reads_every_golden_case(path: Path) -> None:
     mujoco = require_module("mujoco")
     assert mujoco.MjModel.from_xml_path(str(path)).nkey >= 0

@@ -9,10 +9,10 @@ import pytest
 from lxml import etree
 
 import yamaro
+from tests.golden import CASES
 from tests.targets.ros2_control_rules import faults_of
 from yamaro.codes import ADJUSTABLE
 
-CASES = Path(__file__).parents[1] / "cases"
 CORPUS = Path(__file__).parents[3] / "shared" / "corpus"
 HAND_WRITTEN = {
     "diagnostics/unknown-joint.xml",

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 from tests.effort import examples
 from tests.fenced import read_blocks
-from tests.test_cases import case_id, find_cases, read_options
+from tests.golden import case_id, find_cases, read_options
 from tests.waiting import PATIENCE
 from yamaro.api import build
 from yamaro.diagnostics import Reporter, YamaroError

@@ -14,6 +14,7 @@ import pytest
 import yaml
 
 from tests.effort import is_quick
+from tests.golden import CASES
 from tests.waiting import PATIENCE
 from yamaro.yaml.pure import PureParser
 
@@ -42,7 +43,7 @@ def events_of(parser: Any, text: str) -> tuple[list[tuple[object, ...]], bool]:
 
 
 def texts() -> Iterator[str]:
-    paths = [*ROOT.glob("tests/cases/*/*.yaml"), *ROOT.glob("examples/*/*.yaml")]
+    paths = [*CASES.glob("*/*.yaml"), *ROOT.glob("examples/*/*.yaml")]
     for path in sorted(paths):
         text = path.read_bytes().decode("utf-8", "replace")
         if len(text) < 20_000 and "\ufeff" not in text:
