@@ -16,7 +16,9 @@ from yamaro import build
 from yamaro.codes import ADJUSTABLE
 from yamaro.commands.main import main
 from yamaro.policy import Limits
-from yamaro.tools.migrate.xacro.command import migrate_robot
+from yamaro.source import Source
+from yamaro.tools.migrate.xacro.command import DiskHost, migrate_robot
+from yamaro.tools.migrate.xacro.program import XacroProgram
 from yamaro.tools.migrate.xacro.python import CannotMigrate, Translator, typed
 from yamaro.xml.reader import decode_xml
 
@@ -42,6 +44,21 @@ def migrated(folder: Path, text: str, **files: str) -> dict[str, str]:
     for name in migration.origins.values():
         assert_in_style(name, migration.files[name])
     return migration.files
+
+
+def translator() -> Translator:
+    """Return what translates the expressions of a robot with an argument `is_sim`."""
+    text = f'{HEAD}<xacro:arg name="is_sim" default="true"/></robot>'
+    program = XacroProgram(
+        Source(text, name="r.xacro", path="/r.xacro"), DiskHost(Limits(), {}), {}
+    )
+    return Translator(
+        program,
+        rename=lambda name: name,
+        argument=lambda name: name,
+        is_namespace=lambda name: False,
+        data_folder="",
+    )
 
 
 def hold_for(folder: Path, *several: list[str]) -> list[str]:
@@ -497,19 +514,13 @@ def test_what_is_in_the_folder_stays(
     ],
 )
 def test_an_expression_is_translated(xacro: str, python: str) -> None:
-    translator = Translator(
-        lambda name: name, lambda name: False, lambda text: False, {"is_sim"}, {}, ()
-    )
-    assert translator.expression(xacro) == python
+    assert translator().expression(xacro) == python
 
 
 @pytest.mark.parametrize("text", ["1 +", "xacro.tokenize(a)", "$(anon x)", "$(arg ${a})"])
 def test_an_expression_without_counterpart_is_refused(text: str) -> None:
-    translator = Translator(
-        lambda name: name, lambda name: False, lambda text: False, set(), {}, ()
-    )
     with pytest.raises(CannotMigrate):
-        translator.expression(text)
+        translator().expression(text)
 
 
 @pytest.mark.parametrize(

@@ -6,6 +6,7 @@ which the words repeat, are not looked at here.
 
 from __future__ import annotations
 
+from ...model.schema import COMMANDS
 from ...xml.values import format_value
 from ...yaml.nodes import type_plain
 from .document import Body, Entry, Quoted
@@ -16,7 +17,6 @@ if TYPE_CHECKING:
 
 STATE = "initial"
 """The name of the state with the initial values."""
-_COMMANDS = ("position", "velocity", "effort")
 
 
 class _NoControl(Exception):
@@ -46,7 +46,7 @@ class _Joint:
             self.initial = values.get("initial_value", self.initial)
         wanted = ["position", "velocity", *["effort"] * ("effort" in self.commands)]
         _refuse_unless(states == wanted and bool(self.commands))
-        _refuse_unless(all(command in _COMMANDS for command in self.commands))
+        _refuse_unless(all(command in COMMANDS for command in self.commands))
 
 
 def use_control(sections: Body) -> bool:

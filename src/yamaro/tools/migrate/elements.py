@@ -58,7 +58,19 @@ def pair(nodes: list[Node], endings: Endings) -> tuple[list[Item], list[Loose]]:
     items, loose = _items(nodes, endings)
     links = [item for item in items if item.element.name == "link"]
     joints = [item for item in items if item.element.name == "joint"]
-    pairs = _pairs_in_order(links, joints)
+    # the links with their joints, as many as can stand together with no order changed
+    by_name: dict[str, int] = {}
+    for index, own in enumerate(links):
+        name = name_of(own.element)
+        by_name[name] = -1 if name in by_name else index
+    candidates: list[tuple[int, int]] = []
+    taken: set[int] = set()
+    for number, each in enumerate(joints):
+        index = by_name.get(child_of(each.element) or "", -1)
+        if index >= 0 and index not in taken:
+            taken.add(index)
+            candidates.append((index, number))
+    pairs = [(links[i], joints[j]) for i, j in _longest_rise(candidates)]
     for link, joint in pairs:
         link.joint = joint.element
         link.beside += joint.beside
@@ -83,22 +95,6 @@ def _items(nodes: list[Node], endings: Endings) -> tuple[list[Item], list[Loose]
             items.append(Item(node, len(items), above))
             above = []
     return items, above
-
-
-def _pairs_in_order(links: list[Item], joints: list[Item]) -> list[tuple[Item, Item]]:
-    """Return the links with their joints, as many as can stand together with no order changed."""
-    by_name: dict[str, int] = {}
-    for index, link in enumerate(links):
-        name = name_of(link.element)
-        by_name[name] = -1 if name in by_name else index
-    candidates: list[tuple[int, int]] = []
-    taken: set[int] = set()
-    for number, joint in enumerate(joints):
-        index = by_name.get(child_of(joint.element) or "", -1)
-        if index >= 0 and index not in taken:
-            taken.add(index)
-            candidates.append((index, number))
-    return [(links[i], joints[j]) for i, j in _longest_rise(candidates)]
 
 
 def _longest_rise(pairs: list[tuple[int, int]]) -> list[tuple[int, int]]:
@@ -157,7 +153,7 @@ def _ordered(items: list[Item], parts: dict[int, Item]) -> list[Item]:
 
 
 def name_of(element: Element) -> str:
-    """Return the name of a link or joint, empty if it has none."""
+    """Return the name that an element has as an attribute, empty if it has none."""
     return format_value(element.attributes.get("name", ""))
 
 
@@ -228,30 +224,26 @@ class ElementWriter:
         """Return elements, texts and comments as a body, None if there are none."""
         body = Body()
         endings = comments_at_ends(nodes)
-        for node in _texts_joined(nodes):
+        # the children of an element with one text where only comments parted several
+        joined: list[Node] = []
+        texts: list[Text] = []
+        for node in [*nodes, None]:
+            if isinstance(node, Text):
+                texts.append(node)
+                continue
+            if texts and not isinstance(node, Comment):
+                value = "".join(format_value(text.value) for text in texts)
+                joined.append(Text(value, texts[0].span))
+                texts = []
+            if node is not None:
+                joined.append(node)
+        for node in joined:
             if isinstance(node, Element):
                 body.append(self.entry(node))
             else:
                 add_loose(node, body, endings)
         body.in_braces = is_short(body)
         return body or None
-
-
-def _texts_joined(nodes: list[Node]) -> list[Node]:
-    """Return the children of an element with one text where only comments parted several."""
-    joined: list[Node] = []
-    texts: list[Text] = []
-    for node in [*nodes, None]:
-        if isinstance(node, Text):
-            texts.append(node)
-            continue
-        if texts and not isinstance(node, Comment):
-            value = "".join(format_value(text.value) for text in texts)
-            joined.append(Text(value, texts[0].span))
-            texts = []
-        if node is not None:
-            joined.append(node)
-    return joined
 
 
 def tidy_value(name: str, text: str) -> str:

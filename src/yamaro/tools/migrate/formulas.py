@@ -94,7 +94,19 @@ class Sample:
             value = self._value(node.operand)
             return -value if isinstance(node.op, ast.USub) else value
         if isinstance(node, ast.BinOp):
-            return self._operation(node)
+            left, right = self._value(node.left), self._value(node.right)
+            match node.op:
+                case ast.Add():
+                    return left + right
+                case ast.Sub():
+                    return left - right
+                case ast.Mult():
+                    return left * right
+                case ast.Div():
+                    return left / right
+                case ast.Pow():
+                    return _power(left, right)
+            raise NotComputed
         if _is_power(node):
             assert isinstance(node, ast.Call)
             base, exponent = map(self._value, node.args)
@@ -105,21 +117,6 @@ class Sample:
         if key not in self.values:
             self.values[key] = self._random.uniform(LEAST, MOST)
         return self.values[key]
-
-    def _operation(self, node: ast.BinOp) -> float:
-        left, right = self._value(node.left), self._value(node.right)
-        match node.op:
-            case ast.Add():
-                return left + right
-            case ast.Sub():
-                return left - right
-            case ast.Mult():
-                return left * right
-            case ast.Div():
-                return left / right
-            case ast.Pow():
-                return _power(left, right)
-        raise NotComputed
 
 
 def samples() -> list[Sample]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ...meshes.formats import mesh_ending
 from ...model.compare import POSE, ZEROS, same_words
 from ...model.inertia import MESH_ENDINGS
-from ...model.schema import ELEMENTS
+from ...model.schema import ELEMENTS, MOMENTS, RECORDS
 from ...model.shapes import COUNTS, SIMPLE_SHAPES
 from ...model.values import values_of
 from ...syntax.names import RAW_BLOCKS
@@ -22,8 +22,6 @@ if TYPE_CHECKING:
 
 # --- geometry, poses, materials and inertials in short ----------------------------------------
 
-
-MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 
 SIZES = {kind: shape.attributes for kind, shape in SIMPLE_SHAPES.items() if shape.since == "1.0"}
 
@@ -130,7 +128,16 @@ class LinkPlan:
                 self.inertial = child
                 posed.append(child)
         self._choose_geometry()
-        self._choose_pose(posed)
+        if len(posed) < 2:
+            return
+        origins = [optional_child(section, "origin") for section in posed]
+        if self._exact and not any(origins):
+            self.pose = CommonPose(None)
+        first, *others = (pose_of(origin, exact=self._exact) for origin in origins)
+        if first is None or any(pose != first for pose in others):
+            return
+        if not all(same_words(row, ZEROS) for row in first.values()):
+            self.pose = CommonPose(origins[0])
 
     def _choose_geometry(self) -> None:
         counts: dict[tuple[str, str | None], int] = {}
@@ -148,18 +155,6 @@ class LinkPlan:
                 self.geometry is None or counts[key] > counts[self.geometry.key()]
             ):
                 self.geometry = geometry
-
-    def _choose_pose(self, posed: list[Element]) -> None:
-        if len(posed) < 2:
-            return
-        origins = [optional_child(section, "origin") for section in posed]
-        if self._exact and not any(origins):
-            self.pose = CommonPose(None)
-        first, *others = (pose_of(origin, exact=self._exact) for origin in origins)
-        if first is None or any(pose != first for pose in others):
-            return
-        if not all(same_words(row, ZEROS) for row in first.values()):
-            self.pose = CommonPose(origins[0])
 
 
 def read_geometry(section: Element, file_name: Callable[[str], str]) -> Geometry | None:
@@ -204,15 +199,10 @@ def is_short_material(material: Element) -> bool:
         and (
             are_numbers(values_of(child)["rgba"], 4)
             if child.name == "color"
-            else _is_surely_named(values_of(child)["filename"])
+            else bool(without_expressions(values_of(child)["filename"]).replace("$()", "").strip())
         )
         for child in children
     )
-
-
-def _is_surely_named(file: str) -> bool:
-    """Return whether the name of a file cannot be empty, which a part refuses."""
-    return bool(without_expressions(file).replace("$()", "").strip())
 
 
 def material_entry(material: Element) -> Entry | None:
@@ -321,7 +311,6 @@ def is_word(name: str) -> bool:
 # --- parts ------------------------------------------------------------------------------------
 
 
-RECORDS = ("limit", "dynamics", "mimic", "safety_controller", "calibration")
 SECTIONS = ("visual", "collision", "inertial")
 PART_KEYS = frozenset(
     """name joint link type parent child axis limit dynamics mimic safety_controller calibration
@@ -722,14 +711,16 @@ class Frames:
         if part is not None and part.key == "part" and isinstance(part.value, Body):
             self._part = part.value
 
-    def take(self, link: Element, joint: Element | None, writer: PartWriter) -> Entry | None:
-        """Return the frame that a link and its joint became, which is in the part; None if not."""
+    def take(self, link: Element, joint: Element | None, writer: PartWriter, around: Body) -> bool:
+        """Put a link and its joint into the part as a frame, and return whether they are one.
+
+        What is remarked next in the body `around` belongs to it.
+        """
         if self._part is None or joint is None or not _is_frame(link, joint, self._link):
-            return None
-        origin = next((child for child in joint.elements() if child.name == "origin"), None)
-        pose = writer.pose_entries(joint, origin)
+            return False
+        pose = writer.pose_entries(joint, optional_child(joint, "origin"))
         if pose is None:
-            return None
+            return False
         frame = Entry(writer.key_of("frame", {"name": name_of(link)}), Body(pose, in_braces=True))
         frame.value = frame.value or None
         note_comments(joint, frame)
@@ -738,7 +729,9 @@ class Frames:
             note_comments(child, frame)
         holder = _link_of(self._part)
         holder.append(frame)
-        return frame
+        frame.comment, around.remark = joined(around.remark, frame.comment), ""
+        around.latest = frame
+        return True
 
 
 def _is_frame(link: Element, joint: Element, parent: str) -> bool:

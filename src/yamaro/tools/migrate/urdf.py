@@ -6,6 +6,7 @@ The source is built and compared with the file; what comes out different is writ
 from __future__ import annotations
 
 import os
+from itertools import takewhile
 
 from ...codes import ADJUSTABLE
 from ...diagnostics import ERROR, YamaroError
@@ -19,7 +20,7 @@ from ...source import STANDARD_INPUT, STANDARD_INPUT_NAME
 from ...xml.reader import decode_xml, read_xml
 from ...xml.tree import Element
 from .controls import use_control
-from .document import RECORD_WIDTH, Body, Entry, Quoted, Value, element_key, joined, literal
+from .document import RECORD_WIDTH, Body, Entry, Quoted, Value, element_key, literal
 from .elements import (
     ElementWriter,
     Item,
@@ -186,34 +187,29 @@ def _write(
     """
     while True:
         known = len(plain)
-        sections = _sections(document, root, plain, exact=exact)
+        variables = Variables(root)
+        elements = ElementWriter(variables.file_name)
+        model = None
+        if root.name == "robot":
+            model = _Model(root, elements, variables, plain, exact=exact).body()
+        sections = Body()
+        used = None if exact else prefixes_in(root)
+        attributes = {name: value for name, value in values_of(root).items() if is_used(name, used)}
+        if variables.declared:
+            sections.add("variables", variables.declared)
+        if model is None or list(attributes) != ["name"] or not _is_plain_name(attributes["name"]):
+            key = element_key(root.name, attributes, bracketed="name" not in attributes)
+            sections.add(key, elements.value(root) if model is None else model or None)
+        else:
+            robot = Entry("robot", attributes["name"])
+            robot.ending, model.opening = model.opening, ""
+            sections.entries.insert(0, robot)
+            sections.add("model", model or None)
+        for comment in document.after:
+            sections.note(tidy_text(comment.text))
         if len(plain) == known:
             has_control = with_control and use_control(sections)
             return write_document(sections, comments_above(document)), has_control
-
-
-def _sections(document: XmlDocument, root: Element, plain: set[int], *, exact: bool) -> Body:
-    variables = Variables(root)
-    elements = ElementWriter(variables.file_name)
-    model = None
-    if root.name == "robot":
-        model = _Model(root, elements, variables, plain, exact=exact).body()
-    sections = Body()
-    used = None if exact else prefixes_in(root)
-    attributes = {name: value for name, value in values_of(root).items() if is_used(name, used)}
-    if variables.declared:
-        sections.add("variables", variables.declared)
-    if model is None or list(attributes) != ["name"] or not _is_plain_name(attributes["name"]):
-        key = element_key(root.name, attributes, bracketed="name" not in attributes)
-        sections.add(key, elements.value(root) if model is None else model or None)
-    else:
-        robot = Entry("robot", attributes["name"])
-        robot.ending, model.opening = model.opening, ""
-        sections.entries.insert(0, robot)
-        sections.add("model", model or None)
-    for comment in document.after:
-        sections.note(tidy_text(comment.text))
-    return sections
 
 
 def _is_plain_name(name: str) -> bool:
@@ -262,12 +258,7 @@ class _Model:
         """Return whether an item became a frame of the part above it."""
         if item.element.name != "link" or self._is_plain(item):
             return False
-        frame = self._frames.take(item.element, item.joint, self._parts)
-        if frame is None:
-            return False
-        frame.comment, body.remark = joined(body.remark, frame.comment), ""
-        body.latest = frame
-        return True
+        return self._frames.take(item.element, item.joint, self._parts, body)
 
     def _entries(self, item: Item) -> list[Entry]:
         link, joint = item.element, item.joint
@@ -303,25 +294,6 @@ class Variables:
         self._taken: set[str] = set()
         self._folders: list[tuple[str, str]] = []
         self._materials: dict[tuple[tuple[str, str], ...], str] = {}
-        self._find_folders(root)
-        self._find_materials(root)
-
-    def file_name(self, file: str) -> str:
-        """Return the name of a file in the language's spelling."""
-        for folder, variable in self._folders:
-            if file.startswith(folder + "/"):
-                return f"$({variable}){file[len(folder) :]}"
-        return file
-
-    def material(self, material: Element) -> Entry | None:
-        """Return a material in short, or None for one without a short form."""
-        if is_short_material(material):
-            variable = self._materials.get(tuple(_material_of(material).items()))
-            if variable is not None:
-                return Entry("material", f"$({variable})")
-        return material_entry(material)
-
-    def _find_folders(self, root: Element) -> None:
         folders: dict[str, list[str]] = {}
         for mesh in _all_named(root, "mesh"):
             file = values_of(mesh).get("filename", "")
@@ -331,15 +303,14 @@ class Variables:
         for package, found in folders.items():
             if len(found) < FEWEST_MESHES:
                 continue
-            common = _common_folder(found)
+            steps = zip(*(folder.split("/") for folder in found), strict=False)
+            common = "/".join(own[0] for own in takewhile(lambda own: len(set(own)) == 1, steps))
             if not common.startswith(package) or len(common) < len("$(meshes)"):
                 continue
             stem = "meshes" if len(folders) == 1 else f"{package.rpartition('/')[2]}_meshes"
             variable = self._declare(stem, Quoted(common))
             self._folders.append((common, variable))
         self._folders.sort(key=lambda pair: -len(pair[0]))
-
-    def _find_materials(self, root: Element) -> None:
         counts: dict[tuple[tuple[str, str], ...], int] = {}
         for owner in _all_named(root, "visual") + _all_named(root, "collision"):
             for material in owner.elements():
@@ -356,6 +327,21 @@ class Variables:
                 self._materials[key] = self._declare(
                     name, Body(entries, in_braces=True, width=RECORD_WIDTH)
                 )
+
+    def file_name(self, file: str) -> str:
+        """Return the name of a file in the language's spelling."""
+        for folder, variable in self._folders:
+            if file.startswith(folder + "/"):
+                return f"$({variable}){file[len(folder) :]}"
+        return file
+
+    def material(self, material: Element) -> Entry | None:
+        """Return a material in short, or None for one without a short form."""
+        if is_short_material(material):
+            variable = self._materials.get(tuple(_material_of(material).items()))
+            if variable is not None:
+                return Entry("material", f"$({variable})")
+        return material_entry(material)
 
     def _declare(self, stem: str, value: Value) -> str:
         from ...syntax.names import is_identifier
@@ -391,16 +377,6 @@ def _package_of(file: str) -> str:
     """Return the beginning of a file's name that is one package or folder: `package://arm`."""
     scheme, separator, rest = file.rpartition("://")
     return f"{scheme}{separator}{rest.partition('/')[0]}"
-
-
-def _common_folder(folders: list[str]) -> str:
-    rows = [folder.split("/") for folder in folders]
-    common = []
-    for words in zip(*rows, strict=False):
-        if len(set(words)) > 1:
-            break
-        common.append(words[0])
-    return "/".join(common)
 
 
 # --- files ------------------------------------------------------------------------------------

@@ -240,7 +240,9 @@ _FLOW = frozenset(",[]{}")
 
 def scalar_of(text: str, *, in_flow: bool) -> str:
     """Return a text as a YAML scalar that is read as this text and none other."""
-    if is_plain(text, in_flow=in_flow) and not _is_typed(text):
+    if is_plain(text, in_flow=in_flow) and not (
+        isinstance(text, Quoted) and not isinstance(type_plain(text), str)
+    ):
         return str(text)
     if text.isprintable():
         if "'" in text and '"' not in text and "\\" not in text:
@@ -263,10 +265,6 @@ def is_plain(text: str, *, in_flow: bool) -> bool:
     if not in_flow:
         return True
     return _FLOW.isdisjoint(text) and not (first == "?" or first == ":")
-
-
-def _is_typed(text: str) -> bool:
-    return isinstance(text, Quoted) and not isinstance(type_plain(text), str)
 
 
 _SHORT_ESCAPES = {'"': '\\"', "\\": "\\\\", "\n": "\\n", "\t": "\\t", "\r": "\\r"}

@@ -70,29 +70,28 @@ class Choices:
         """The names of files in Python, such as the values of a dict."""
         for root in roots.values():
             for element in root.iter():
-                self._look_at(element)
+                given = {name: format_value(value) for name, value in element.attributes.items()}
+                for name, text in _given_by(element, given):
+                    self.texts.setdefault(name, []).append(text)
+                texts = [
+                    (text, element.value_span(name)) for name, text in given.items() if "$" in text
+                ]
+                own = element.text()
+                if "$" in own:
+                    texts.append((own, element.span))
+                for text, span in texts:
+                    for expression, is_eval in _expressions_in(text):
+                        names = re.findall(r"'([^'$]+)'", expression)
+                        self._literal_names |= dict.fromkeys(n for n in names if n.endswith(_FILES))
+                        self._look_at_expression(expression, is_eval=is_eval)
+                    if "\n" not in text:
+                        self._file_names += [(name, span) for name in _names_of_files(text)]
+                if element.name in ("xacro:if", "xacro:unless"):
+                    name = name_alone(given.get("value", ""))
+                    if name:
+                        self._conditions.add(name)
 
     # --- what the files say ---------------------------------------------------------------------
-
-    def _look_at(self, element: Element) -> None:
-        given = {name: format_value(value) for name, value in element.attributes.items()}
-        for name, text in _given_by(element, given):
-            self.texts.setdefault(name, []).append(text)
-        texts = [(text, element.value_span(name)) for name, text in given.items() if "$" in text]
-        own = element.text()
-        if "$" in own:
-            texts.append((own, element.span))
-        for text, span in texts:
-            for expression, is_eval in _expressions_in(text):
-                names = re.findall(r"'([^'$]+)'", expression)
-                self._literal_names |= dict.fromkeys(n for n in names if n.endswith(_FILES))
-                self._look_at_expression(expression, is_eval=is_eval)
-            if "\n" not in text:
-                self._file_names += [(name, span) for name in _names_of_files(text)]
-        if element.name in ("xacro:if", "xacro:unless"):
-            name = name_alone(given.get("value", ""))
-            if name:
-                self._conditions.add(name)
 
     def _look_at_expression(self, text: str, *, is_eval: bool) -> None:
         try:
@@ -523,26 +522,23 @@ class Spellings:
         if isinstance(part, Substitution):
             command, _, rest = part.text.partition(" ")
             if command == "find":
-                return self._of_package(rest.strip(), known)
-            return self._of_environment(part.text)
+                # the folders of the packages that a text may name; any other is an error
+                text = rest.strip()
+                names = self._of_text(text, known)
+                folders = [
+                    self._choices.package(name, self._span) for name in names if "*" not in name
+                ]
+                found = [escaped(folder) for folder in dict.fromkeys(folders) if folder is not None]
+                return found if found and "*" not in names else [*found, *_ANYTHING]
+            words = part.text.split()
+            value = None
+            if len(words) > 1 and words[0] in ("env", "optenv"):
+                value = self._choices.host.environment(words[1])
+            return [*_ANYTHING, *([escaped(value)] if value else [])]
         if self._choices.is_lookup(part.text):
             return [escaped(own) for own in self._choices.data]
         tree = tree_of(part.text)
         return _ANYTHING if tree is None else self._of_python(tree, known)
-
-    def _of_package(self, text: str, known: frozenset[str]) -> list[str]:
-        """Return the folders of the packages that a text may name; any other is an error."""
-        names = self._of_text(text, known)
-        folders = [self._choices.package(name, self._span) for name in names if "*" not in name]
-        found = [escaped(folder) for folder in dict.fromkeys(folders) if folder is not None]
-        return found if found and "*" not in names else [*found, *_ANYTHING]
-
-    def _of_environment(self, command: str) -> list[str]:
-        words = command.split()
-        value = None
-        if len(words) > 1 and words[0] in ("env", "optenv"):
-            value = self._choices.host.environment(words[1])
-        return [*_ANYTHING, *([escaped(value)] if value else [])]
 
     def _of_name(self, name: str, known: frozenset[str]) -> list[str]:
         if name in known:
@@ -567,15 +563,12 @@ class Spellings:
             case ast.Call(ast.Name("str"), [inner]):
                 return self._of_python(inner, known)
             case ast.Subscript(inner, _) | ast.Call(ast.Attribute(inner, "get"), _):
-                return self._of_items(inner, known)
+                # patterns for what a dict or a list holds
+                items = self._items(inner, known)
+                if items is None:
+                    return _ANYTHING
+                return [own for each in items for own in self._of_python(each, known)]
         return _ANYTHING
-
-    def _of_items(self, node: ast.expr, known: frozenset[str]) -> list[str]:
-        """Return patterns for what a dict or a list holds."""
-        items = self._items(node, known)
-        if items is None:
-            return _ANYTHING
-        return [own for each in items for own in self._of_python(each, known)]
 
     def _items(self, node: ast.expr, known: frozenset[str]) -> list[ast.expr] | None:
         """Return what a dict or a list holds, or None if that is not known."""
@@ -588,17 +581,15 @@ class Spellings:
                 several = [self._items(each, known) for each in self._items(inner, known) or ()]
             case ast.Name(name) if name in self._choices.texts and name not in known:
                 own = known | {name}
-                trees = [_whole(text) for text in self._choices.texts[name]]
+                trees = [
+                    (tree_of(text.strip()[2:-1]) if text.startswith("${") else None)
+                    for text in self._choices.texts[name]
+                ]
                 several = [None if tree is None else self._items(tree, own) for tree in trees]
             case _:
                 return None
         found = [items for items in several if items is not None]
         return [each for items in found for each in items] if len(found) == len(several) else None
-
-
-def _whole(text: str) -> ast.expr | None:
-    """Return the expression that a text is, or None."""
-    return tree_of(text.strip()[2:-1]) if text.startswith("${") else None
 
 
 def _joined(several: Iterable[list[str]]) -> list[str]:

@@ -63,10 +63,11 @@ class XacroMigration:
         texts: the arguments that the sources write as they are given, and xacro as values.
     """
 
-    def __init__(self, files: dict[str, str], main: str, root: Element) -> None:
-        self.files = files
+    def __init__(self, layout: Layout, main: str, root: Element) -> None:
+        self.layout = layout
         self.main = main
         self.root = root
+        self.files: dict[str, str] = {}
         self.origins: dict[str, str] = {}
         self.differences: list[Difference] = []
         self.defaults = 0
@@ -77,7 +78,6 @@ class XacroMigration:
         self.has_section = False
         self.has_control = False
         self.texts: list[str] = []
-        self.layout: Layout
 
     @property
     def is_wrong(self) -> bool:
@@ -104,8 +104,7 @@ def migrate_program(
     """
     contents = Contents(program)
     layout = Layout(program, wanted, borrows=borrows)
-    migration = XacroMigration({}, layout.outputs[program.main], program.result)
-    migration.layout = layout
+    migration = XacroMigration(layout, layout.outputs[program.main], program.result)
     callees = Callees(program, layout.theirs)
     placing = Placing(() if program.exact else contents.in_parts())
     is_settled = False
@@ -120,10 +119,31 @@ def migrate_program(
             written[output] = sections_of(writer, is_main=is_main), header
             migration.lost += writer.lost
         is_settled = placing.settle()
-    _drop_functions(
-        {program.macros[name].function for name in solids.replaced},
-        [sections for sections, _ in written.values()],
-    )
+    # leave out functions that were called, and are not any more, with the comments on them
+    unused = {program.macros[name].function for name in solids.replaced}
+    files = [sections for sections, _ in written.values()]
+    for own in files:
+        for key in _keys_in(own):
+            unused.discard(key.rpartition(".")[2])  # it may be in a namespace
+            if key.startswith("$("):  # a call whose function is computed
+                unused -= {name for name in unused if repr(name) in key}
+    for own in files:
+        for section in [entry for entry in own if entry.key == "functions"]:
+            functions = section.value
+            assert isinstance(functions, Body)
+            # the terms of a licence above one are kept, above what comes next
+            entries, last = functions.entries, functions.remark
+            functions.entries, functions.remark = [], ""
+            for entry in entries:
+                if entry.key.partition("/")[0] not in unused:
+                    functions.append(entry)
+                elif any(word in entry.comment.lower() for word in _WORDS_OF_LICENCES):
+                    functions.note(entry.comment)
+            functions.note(last)
+            if not functions:
+                own.entries.remove(section)
+        if not own:
+            own.add("model")
     sources = {output: sections for output, (sections, _) in written.items()}
     main = migration.main
     tidy(sources, main, program)
@@ -141,15 +161,12 @@ def migrate_program(
     migration.origins = {path: name for path, name in layout.outputs.items() if name in sources}
     for output, sections in sources.items():
         migration.files[output] = write_document(sections, written[output][1])
-    migration.files |= _data(program, layout) | layout.calling_files()
+    copies = [(layout.output_of_data(path), text) for path, text in program.files.data.items()]
+    migration.files |= {
+        copy: text for copy, text in copies if copy is not None
+    } | layout.calling_files()
     migration.lost += _untried(program)
     return migration
-
-
-def _data(program: XacroProgram, layout: Layout) -> dict[str, str]:
-    """Return the data that is copied, by the paths of the copies."""
-    copies = [(layout.output_of_data(path), text) for path, text in program.files.data.items()]
-    return {copy: text for copy, text in copies if copy is not None}
 
 
 def _untried(program: XacroProgram) -> Iterator[tuple[Span, str, str]]:
@@ -158,41 +175,6 @@ def _untried(program: XacroProgram) -> Iterator[tuple[Span, str, str]]:
     for changed in program.files.untried:
         given = ", ".join(f"{name}:={value}" for name, value in changed.items())
         yield span, f"not tried with {given}", "migrate it with these as well"
-
-
-def _drop_functions(names: set[str], files: list[Body]) -> None:
-    """Leave out functions that were called, and are not any more, with the comments on them.
-
-    Args:
-        names: of the functions.
-        files: the sections of all files.
-    """
-    for sections in files:
-        for key in _keys_in(sections):
-            names.discard(key.rpartition(".")[2])  # it may be in a namespace
-            if key.startswith("$("):  # a call whose function is computed
-                names -= {name for name in names if repr(name) in key}
-    for sections in files:
-        for section in [entry for entry in sections if entry.key == "functions"]:
-            functions = section.value
-            assert isinstance(functions, Body)
-            _drop_entries(names, functions)
-            if not functions:
-                sections.entries.remove(section)
-        if not sections:
-            sections.add("model")
-
-
-def _drop_entries(names: set[str], functions: Body) -> None:
-    """Leave out functions; the terms of a licence above one are kept, above what comes next."""
-    entries, last = functions.entries, functions.remark
-    functions.entries, functions.remark = [], ""
-    for entry in entries:
-        if entry.key.partition("/")[0] not in names:
-            functions.append(entry)
-        elif any(word in entry.comment.lower() for word in _WORDS_OF_LICENCES):
-            functions.note(entry.comment)
-    functions.note(last)
 
 
 _WORDS_OF_LICENCES = ("copyright", "license", "licence")

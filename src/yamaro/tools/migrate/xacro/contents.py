@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from ....xml.tree import Element
 from ....xml.values import format_value
+from ..elements import name_of
 from .names import names_in, used_in
 
 TYPE_CHECKING = False
@@ -48,13 +49,17 @@ class Contents:
         for root in program.roots.values():
             self._find_parts(root, None, by_element)
         if not program.has_computed_calls:
-            self._put_uncalled_in_parts()
+            # note macros that nothing calls, such as those of a library, if they are for parts
+            for name, macros in self._macros.items():
+                inside = {each.name for macro in macros for each in macro.element.elements()}
+                if name not in self._calls and inside and inside <= _OF_PARTS:
+                    self._put_macro_in_part(name)
         self._setters = self._find_setters()
 
     def _gather(self, root: Element, around: Macro | None, known: dict[int, Macro]) -> None:
         for element in root.elements():
             if element.name == "xacro:property" and element.elements():
-                self._blocks.setdefault(_name(element), []).append(element)
+                self._blocks.setdefault(name_of(element), []).append(element)
             elif element.name == "xacro:call":
                 called = format_value(element.attributes.get("macro"))
                 self._calls.setdefault(called, []).append((element, around))
@@ -89,7 +94,12 @@ class Contents:
             else:
                 rows.append(made)
             before = (condition, made) if node.name == "xacro:if" else None
-        return _sum(rows)
+        counts: Counts = {}
+        for row in rows:
+            for name, (least, most) in row.items():
+                first, second = counts.get(name, (0, 0))
+                counts[name] = first + least, second + most
+        return counts
 
     def _made(self, node: Element, around: Macro | None) -> Counts:
         name = node.name
@@ -98,7 +108,7 @@ class Contents:
         if name in ("xacro:if", "xacro:unless"):
             return self.counts(node.children, around)
         if name == "xacro:insert_block":
-            return self._inserted(_name(node), around)
+            return self._inserted(name_of(node), around)
         if name == "xacro:property":
             return {}
         macros = self._macros.get(_called(node))
@@ -154,23 +164,26 @@ class Contents:
         found: dict[str, set[str]] = {}
         for name, macros in self._macros.items():
             inside = [inner for macro in macros for inner in macro.element.iter()]
-            scopes = {_name(inner): inner.attributes["scope"] for inner in inside if _scope(inner)}
+            scopes = {
+                name_of(inner): inner.attributes["scope"]
+                for inner in inside
+                if inner.name == "xacro:property" and "scope" in inner.attributes
+            }
             if scopes:
                 found.setdefault(name, set()).update(scopes)
             own = {each for each, scope in scopes.items() if scope != "parent"}
             if own:
-                self._hand_up(name, own, found)
+                # add global names to all that may call a macro
+                pending, seen = [name], set[str]()
+                while pending:
+                    caller = pending.pop()
+                    if caller not in seen:
+                        seen.add(caller)
+                        found.setdefault(caller, set()).update(own)
+                        pending += [
+                            around.name for _, around in self._calls.get(caller, ()) if around
+                        ]
         return found
-
-    def _hand_up(self, name: str, names: set[str], found: dict[str, set[str]]) -> None:
-        """Add global names to all that may call a macro."""
-        pending, seen = [name], set[str]()
-        while pending:
-            own = pending.pop()
-            if own not in seen:
-                seen.add(own)
-                found.setdefault(own, set()).update(names)
-                pending += [around.name for _, around in self._calls.get(own, ()) if around]
 
     def sets_variables(self, node: Element) -> bool:
         """Return whether an element has statements in it that set what is read after them."""
@@ -234,19 +247,12 @@ class Contents:
             for child in node.elements():
                 self._put_in_part(child, around)
         elif node.name == "xacro:insert_block":
-            self._put_block_in_part(_name(node), around)
+            self._put_block_in_part(name_of(node), around)
         elif node.name == "xacro:call":
             for name in self._macros:
                 self._put_macro_in_part(name)
         elif node.name.startswith("xacro:"):
             self._put_macro_in_part(_called(node))
-
-    def _put_uncalled_in_parts(self) -> None:
-        """Note macros that nothing calls, such as those of a library, if they are for parts."""
-        for name, macros in self._macros.items():
-            inside = {each.name for macro in macros for each in macro.element.elements()}
-            if name not in self._calls and inside and inside <= _OF_PARTS:
-                self._put_macro_in_part(name)
 
     def _put_macro_in_part(self, name: str) -> None:
         if name in self._in_parts or name not in self._macros:
@@ -285,26 +291,8 @@ def _called(element: Element) -> str:
     return element.name.removeprefix("xacro:").rpartition(".")[2]
 
 
-def _scope(element: Element) -> bool:
-    """Return whether an element is a property for others than the macro that it is in."""
-    return element.name == "xacro:property" and "scope" in element.attributes
-
-
 _PLAIN = frozenset(("xacro:if", "xacro:unless", "xacro:insert_block"))
 """Statements that neither set variables nor read other names than those written in them."""
-
-
-def _name(element: Element) -> str:
-    return format_value(element.attributes.get("name"))
-
-
-def _sum(rows: list[Counts]) -> Counts:
-    counts: Counts = {}
-    for row in rows:
-        for name, (least, most) in row.items():
-            first, second = counts.get(name, (0, 0))
-            counts[name] = first + least, second + most
-    return counts
 
 
 def _either(first: Counts, second: Counts) -> Counts:

@@ -72,7 +72,10 @@ class ComputedName:
 def computed_name(filename: str) -> ComputedName | None:
     """Return the name of a file that is not always the same; None for one that is."""
     for part in parse_template(filename).parts:
-        if isinstance(part, str) or (isinstance(part, Substitution) and _is_constant(part.text)):
+        if isinstance(part, str) or (
+            isinstance(part, Substitution)
+            and (part.text == "cwd" or (part.text.startswith("find ") and "$" not in part.text))
+        ):
             continue
         start = filename[: filename.rfind("/", 0, part.start) + 1]
         return ComputedName(start, filename[len(start) :])
@@ -94,10 +97,6 @@ def folder_meant(start: str, base: str, host: Host, span: Span) -> str | None:
         except YamaroError:
             return None
     return os.path.normpath(os.path.join(base, folder))
-
-
-def _is_constant(command: str) -> bool:
-    return command == "cwd" or (command.startswith("find ") and "$" not in command)
 
 
 def write_include(writer: FileWriter, node: Element, body: Body) -> None:
@@ -377,7 +376,13 @@ class Borrowed:
             program: the robot.
         """
         blocks = self.macro.blocks()
-        names = self._names()
+        # the arguments of the file that calls it
+        poses = [
+            f"{block.lstrip('*')}_{key}"
+            for block, pose in zip(self.macro.blocks(), self._poses, strict=False)
+            for key in pose
+        ]
+        names = [*self._values, *poses, *self._arguments]
         if any(block.startswith("**") for block in blocks):
             return False
         for call in self._calls:
@@ -407,15 +412,6 @@ class Borrowed:
         if own.is_forwarded:
             return name not in around and name not in self._values
         return name not in self._values or (own.default is not None and "$" not in own.default)
-
-    def _names(self) -> list[str]:
-        """Return the arguments of the file that calls it."""
-        poses = [
-            f"{block.lstrip('*')}_{key}"
-            for block, pose in zip(self.macro.blocks(), self._poses, strict=False)
-            for key in pose
-        ]
-        return [*self._values, *poses, *self._arguments]
 
     def text(self, filename: str) -> str:
         """Return the file that calls it; `filename` includes the package's file."""

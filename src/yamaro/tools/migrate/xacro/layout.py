@@ -14,6 +14,7 @@ from ....syntax.names import is_identifier
 from ....xacro.statements import parse_parameters
 from ....xml.tree import Element
 from ....xml.values import format_value
+from ..elements import name_of
 from .includes import Borrowed, calls_of, computed_name, source_name
 from .names import common_folder, used_in
 from .program import XacroProgram
@@ -70,7 +71,20 @@ class Layout:
                 foreign[path] = package
                 if package[0] in wanted or ALL in wanted:
                     self.brought[path] = ASKED
-        self._bring_coupled(foreign)
+        # bring along the files of other packages that cannot be included alone
+        names = {own: _Names(self._program, own) for own in self._program.roots}
+        is_new = True
+        while is_new:
+            is_new = False
+            migrated = [own for own in names if own not in foreign or own in self.brought]
+            for own in migrated:
+                for include in _includes_of(self._program.roots[own]):
+                    for target in self._program.files.files_of(include):
+                        if target in foreign and target not in self.brought:
+                            reason = self._why_coupled(include, target, names)
+                            if reason:
+                                self.brought[target] = reason
+                                is_new = True
         for path, (name, folder) in foreign.items():
             if path not in self.brought:
                 self.theirs[path] = name, os.path.relpath(path, folder)
@@ -78,11 +92,21 @@ class Layout:
         self.outputs: dict[str, str] = {}
         for path in program.roots:
             if path not in self.theirs:
-                self.outputs[path] = self._output(path)
-        self._settle_borrowed()
-
-    def _settle_borrowed(self) -> None:
-        """Give each macro that is called where it is the file that calls it."""
+                if path in self.brought:
+                    relative = self._in_package(path)
+                else:
+                    relative = os.path.relpath(path, self._folder)
+                stem = source_name(relative).removesuffix(".yaml")
+                taken = set(self.outputs.values()) | self._program.files.data.keys()
+                unique, number = f"{stem}.yaml", 2
+                if unique in taken:  # arm.urdf.xacro beside arm.xacro: they differ in the ending
+                    endings = os.path.basename(path)[len(os.path.basename(stem)) :].split(".")[1:]
+                    stem = "_".join([stem, *(endings[:-1] or endings)])
+                    unique = f"{stem}.yaml"
+                while unique in taken:
+                    unique, number = f"{stem}_{number}.yaml", number + 1
+                self.outputs[path] = unique
+        # give each macro that is called where it is the file that calls it
         self.borrowed = {
             name: each for name, each in self.borrowed.items() if each.path in self.theirs
         }
@@ -161,43 +185,11 @@ class Layout:
         brought = {self.package_of(own) for own in self.brought}
         return os.path.dirname(self._in_package(pretended)) if package in brought else None
 
-    def _output(self, path: str) -> str:
-        if path in self.brought:
-            relative = self._in_package(path)
-        else:
-            relative = os.path.relpath(path, self._folder)
-        stem = source_name(relative).removesuffix(".yaml")
-        taken = set(self.outputs.values()) | self._program.files.data.keys()
-        unique, number = f"{stem}.yaml", 2
-        if unique in taken:  # arm.urdf.xacro beside arm.xacro: they differ in the ending
-            endings = os.path.basename(path)[len(os.path.basename(stem)) :].split(".")[1:]
-            stem = "_".join([stem, *(endings[:-1] or endings)])
-            unique = f"{stem}.yaml"
-        while unique in taken:
-            unique, number = f"{stem}_{number}.yaml", number + 1
-        return unique
-
     def _in_package(self, path: str) -> str:
         name, folder = self.package_of(path)
         return os.path.join(name, os.path.relpath(path, folder))
 
     # --- what has to come along -----------------------------------------------------------------
-
-    def _bring_coupled(self, foreign: Collection[str]) -> None:
-        """Bring along the files of other packages that cannot be included alone."""
-        names = {path: _Names(self._program, path) for path in self._program.roots}
-        is_new = True
-        while is_new:
-            is_new = False
-            migrated = [path for path in names if path not in foreign or path in self.brought]
-            for path in migrated:
-                for include in _includes_of(self._program.roots[path]):
-                    for target in self._program.files.files_of(include):
-                        if target in foreign and target not in self.brought:
-                            reason = self._why_coupled(include, target, names)
-                            if reason:
-                                self.brought[target] = reason
-                                is_new = True
 
     def _why_coupled(self, include: Element, path: str, names: dict[str, _Names]) -> str:
         """Return why a file cannot be included as it is where it is; "" if it can."""
@@ -230,7 +222,17 @@ class Layout:
             without.has_computed_calls and within.macros
         ):
             return "the macros that are called are computed"
-        return self._why_arguments(within, without)
+        for name in sorted(within.arguments):
+            argument = self._program.arguments.get(name)
+            if argument is None:
+                return f"its argument '{name}' has no value"
+            if not is_identifier(name) or name in _WORDS:
+                return f"its argument '{name}' has a name that an include cannot pass"
+            if name in within.declared and (len(argument.defaults) > 1 or argument.made_of):
+                return f"the default of its argument '{name}' is made of other names"
+            if name in within.declared - without.declared and name in without.arguments:
+                return f"its argument '{name}' is read by others"
+        return ""
 
     def _borrow(self, name: str, path: str, inside: set[str], without: _Names) -> bool:
         """Return whether a macro of a file can be called where it is, and remember that."""
@@ -255,19 +257,6 @@ class Layout:
             return False
         self.borrowed[name] = found
         return True
-
-    def _why_arguments(self, within: _Names, without: _Names) -> str:
-        for name in sorted(within.arguments):
-            argument = self._program.arguments.get(name)
-            if argument is None:
-                return f"its argument '{name}' has no value"
-            if not is_identifier(name) or name in _WORDS:
-                return f"its argument '{name}' has a name that an include cannot pass"
-            if name in within.declared and (len(argument.defaults) > 1 or argument.made_of):
-                return f"the default of its argument '{name}' is made of other names"
-            if name in within.declared - without.declared and name in without.arguments:
-                return f"its argument '{name}' is read by others"
-        return ""
 
     def _reached_from(self, path: str) -> set[str]:
         includes = _includes_of(self._program.roots[path])
@@ -318,7 +307,7 @@ class _Names:
         self.read = used_in(root) | program.forwarded_in(root)
         self.arguments = program.arguments_read(root)
         for element in root.iter():
-            name = format_value(element.attributes.get("name"))
+            name = name_of(element)
             if element.name == "xacro:macro":
                 self.macros.add(name.removeprefix("xacro:"))
                 macro = program.definitions.get((path, element.span.start))
@@ -341,7 +330,7 @@ class _Names:
     def _find_inserted(self, root: Element, own: Collection[str]) -> None:
         """Find the blocks that are inserted where no macro around has a parameter for them."""
         for element in root.elements():
-            name = format_value(element.attributes.get("name"))
+            name = name_of(element)
             if element.name == "xacro:insert_block" and name not in own:
                 self.inserted.add(name)
             blocks = own

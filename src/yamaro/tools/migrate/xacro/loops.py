@@ -21,7 +21,7 @@ from ....xacro.templates import guess_value
 from ....xml.tree import Comment, Element, Text
 from ....xml.values import format_value
 from ..document import Body, Entry
-from ..elements import has_text, tidy_text
+from ..elements import has_text, name_of, tidy_text
 from .names import used_in
 from .python import CannotMigrate
 
@@ -228,8 +228,13 @@ class _Reader:
         )
         self.before, self.after = nodes[:position], nodes[position + 1 :]
         self._properties = [own for own in inside if own.name == "xacro:property"]
-        self._defined = {format_value(own.attributes.get("name")) for own in self._properties}
-        self._outside = _scoped(program)
+        self._defined = {name_of(own) for own in self._properties}
+        self._outside = {
+            name_of(own)
+            for root in program.roots.values()
+            for own in root.iter()
+            if own.name == "xacro:property" and "scope" in own.attributes
+        }
         self._check_names()
         self.changed = self._changes()
 
@@ -287,7 +292,19 @@ class _Reader:
         """
         is_backwards = any(isinstance(node, Element) for node in self.after)
         if is_backwards:
-            self._check_backwards()
+            # hold that the work after the call makes use of nothing but the call's own names
+            require(not any(isinstance(node, Element) for node in self.before))
+            require(not self._last and len(self.changed) <= 1)
+            require(not self._program.handed_to(self._macro.element))
+            require(not self._defined & self._program.inherited)
+            direct = [own for own in self.after if _is_named(own, "xacro:property")]
+            require(len(direct) == len(self._properties) == len(self._defined))
+            defined: set[str] = set()
+            for node in self.after:
+                if isinstance(node, Element):
+                    require(not used_in(node) & (self._defined - defined))
+                    if node in direct:
+                        defined.add(name_of(node))
         above, here = _comments(self._macro.element.children), ""
         name = self._list_name()
         if name:
@@ -299,21 +316,6 @@ class _Reader:
         loop.last = [node for own in self._last for node in own.children]
         require(not any(self._reads(loop.last, own) for own in (loop.iterator, name)))
         return loop
-
-    def _check_backwards(self) -> None:
-        """Hold that the work after the call makes use of nothing but the call's own names."""
-        require(not any(isinstance(node, Element) for node in self.before))
-        require(not self._last and len(self.changed) <= 1)
-        require(not self._program.handed_to(self._macro.element))
-        require(not self._defined & self._program.inherited)
-        direct = [own for own in self.after if _is_named(own, "xacro:property")]
-        require(len(direct) == len(self._properties) == len(self._defined))
-        defined: set[str] = set()
-        for node in self.after:
-            if isinstance(node, Element):
-                require(not used_in(node) & (self._defined - defined))
-                if node in direct:
-                    defined.add(format_value(node.attributes.get("name")))
 
     def _reads(self, nodes: list[Node], name: str) -> bool:
         """Return whether a name is read in statements, or by the macros that they call."""
@@ -330,7 +332,10 @@ class _Reader:
         pending = dict(changes)
         ordered: list[tuple[str, str]] = []
         while pending:
-            reads = {name: used_in(_holding(text, self.call)) for name, text in pending.items()}
+            reads = {
+                name: used_in(Element("", self.call.span, {"text": text}))
+                for name, text in pending.items()
+            }
             free = [
                 name
                 for name in pending
@@ -356,7 +361,20 @@ class _Reader:
         source = "0" if bound is None else source_of(python, bound)
         bound = bound or ast.Constant(0)
         self._check_bound(bound, changed.keys() | {name})
-        self._check_whole(name, bound)
+        # hold that only whole numbers were counted, as far as can be seen
+        texts = [self.changed[name]]
+        for node in ast.walk(bound):
+            require(not (isinstance(node, ast.Constant) and isinstance(node.value, float)))
+            if isinstance(node, ast.Name):
+                texts += [f"${{{node.id}}}", *self._values_of(node.id)]
+        for called in self._calls():
+            texts.append(format_value(called.attributes.get(name, "")))
+        for own in self._macro.parameters:
+            if own.name == name:
+                texts.append(own.default or "")
+        floats = self._program.floats
+        for text in texts:
+            require(text.strip()[2:-1].strip() not in floats if "$" in text else is_whole(text))
         if relation in ("<=", ">="):
             require((relation == "<=") == (step > 0))
             source = moved_bound(source, bound, 1 if step > 0 else -1)
@@ -381,22 +399,6 @@ class _Reader:
                 require(isinstance(node.func, ast.Name) and node.func.id in _FUNCTIONS)
             else:
                 require(isinstance(node, _PLAIN_NODES))
-
-    def _check_whole(self, name: str, bound: ast.expr) -> None:
-        """Hold that only whole numbers were counted, as far as can be seen."""
-        texts = [self.changed[name]]
-        for node in ast.walk(bound):
-            require(not (isinstance(node, ast.Constant) and isinstance(node.value, float)))
-            if isinstance(node, ast.Name):
-                texts += [f"${{{node.id}}}", *self._values_of(node.id)]
-        for called in self._calls():
-            texts.append(format_value(called.attributes.get(name, "")))
-        for own in self._macro.parameters:
-            if own.name == name:
-                texts.append(own.default or "")
-        floats = self._program.floats
-        for text in texts:
-            require(text.strip()[2:-1].strip() not in floats if "$" in text else is_whole(text))
 
     def _values_of(self, name: str) -> list[str]:
         """Return the texts that a name may have, if it is an argument, parameter or property."""
@@ -472,10 +474,10 @@ class _Reader:
         for position, node in enumerate(work):
             if not isinstance(node, Element):
                 continue
-            own = format_value(node.attributes.get("name"))
+            own = name_of(node)
             value = format_value(node.attributes.get("value", "")).strip()[2:-1].strip()
             if node.name == "xacro:property" and value in firsts:
-                names = [format_value(e.attributes.get("name")) for e in self._properties]
+                names = [name_of(e) for e in self._properties]
                 require(names.count(own) == 1 and own not in self._outside)
                 require(not self._reads(work[:position], own))
                 start = position
@@ -523,16 +525,6 @@ def _is_opposite(one: Element, other: Element) -> bool:
     return {one.name, other.name} == set(_CONDITIONS) and len(values) == 1
 
 
-def _scoped(program: XacroProgram) -> set[str]:
-    """Return the names of the properties that are set from elsewhere."""
-    return {
-        format_value(own.attributes.get("name"))
-        for root in program.roots.values()
-        for own in root.iter()
-        if own.name == "xacro:property" and "scope" in own.attributes
-    }
-
-
 def _comments(nodes: list[Node]) -> str:
     return "\n".join(tidy_text(node.text) for node in nodes if isinstance(node, Comment))
 
@@ -551,11 +543,6 @@ def _without_loose_end(work: list[Node], changes: dict[str, str]) -> list[Node]:
 
 def _is_blank(node: Node) -> bool:
     return isinstance(node, Text) and not format_value(node.value).strip()
-
-
-def _holding(text: str, element: Element) -> Element:
-    """Return an element that holds a text, at the place of another."""
-    return Element("", element.span, {"text": text})
 
 
 def _is_surely_read(node: Node, name: str) -> bool:

@@ -17,6 +17,7 @@ from ....xacro.statements import Parameter
 from ....xacro.templates import Expression, Substitution, parse_template
 from ....xml.tree import Element
 from ....xml.values import format_value
+from ..elements import name_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -40,7 +41,7 @@ def defined_in(root: Element, *, nested: bool = False) -> set[str]:
     while pending:
         element = pending.pop()
         if element.name == "xacro:property":
-            names.add(format_value(element.attributes.get("name")))
+            names.add(name_of(element))
         if element.name != "xacro:macro" or element is root or nested:
             pending += element.elements()
     return names
@@ -72,16 +73,21 @@ def used_in(root: Element, without: Container[int] = ()) -> set[str]:
 def names_in(text: str) -> set[str]:
     """Return the names that the expressions of a text read."""
     names: set[str] = set()
-    for expression in re.findall(r"\$\{([^}]*)\}", text):
-        try:
-            tree = ast.parse(re.sub(r"\$\([^)]*\)", "0", expression).strip(), mode="eval")
-        except (SyntaxError, ValueError):
-            continue
+    for tree in _expressions_in(text):
         found = [node for node in ast.walk(tree) if isinstance(node, ast.Name)]
         bound = {node.id for node in found if isinstance(node.ctx, ast.Store)}
         bound |= {node.arg for node in ast.walk(tree) if isinstance(node, ast.arg)}
         names |= {node.id for node in found} - bound
     return names
+
+
+def _expressions_in(text: str) -> Iterator[ast.expr]:
+    """Yield the expressions in a text, those that are Python."""
+    for expression in re.findall(r"\$\{([^}]*)\}", text):
+        try:
+            yield ast.parse(re.sub(r"\$\([^)]*\)", "0", expression).strip(), mode="eval").body
+        except (SyntaxError, ValueError):
+            continue
 
 
 def common_folder(paths: list[str]) -> str:
@@ -100,13 +106,9 @@ def computed_with(root: Element) -> set[str]:
         for text in (*map(format_value, element.attributes.values()), element.text()):
             if is_condition:
                 names.update(re.findall(r"\$\(arg\s+([\w-]+)\s*\)", text))
-            for expression in re.findall(r"\$\{([^}]*)\}", text):
-                try:
-                    tree = ast.parse(re.sub(r"\$\([^)]*\)", "0", expression).strip(), mode="eval")
-                except (SyntaxError, ValueError):
-                    continue
-                if is_condition or not isinstance(tree.body, ast.Name):
-                    names |= _names_computed_with(tree.body)
+            for tree in _expressions_in(text):
+                if is_condition or not isinstance(tree, ast.Name):
+                    names |= _names_computed_with(tree)
     return names
 
 
@@ -195,7 +197,7 @@ def _redefined(root: Element, without: Container[int] = ()) -> set[str]:
         name
         for element in root.iter(without)
         if element.name == "xacro:property"
-        and (name := format_value(element.attributes.get("name")))
+        and (name := name_of(element))
         and not is_argument(format_value(element.attributes.get("value")), name)
     }
 
@@ -203,7 +205,7 @@ def _redefined(root: Element, without: Container[int] = ()) -> set[str]:
 def _handed_out(macro: Element) -> set[str]:
     """Return the properties that a macro sets for others."""
     return {
-        format_value(element.attributes.get("name"))
+        name_of(element)
         for element in macro.iter()
         if element.name == "xacro:property" and "scope" in element.attributes
     }
@@ -222,7 +224,7 @@ def _read_again(roots: Mapping[str, Element], main: str, known: Container[str]) 
         defined: set[str] = set()
         for element in root.iter():
             if element.name == "xacro:property":
-                name = format_value(element.attributes.get("name"))
+                name = name_of(element)
                 is_first = path == main and name not in defined and name not in known
                 if is_property_of(element, name) and not is_first:
                     found.add(name)
@@ -252,7 +254,7 @@ def arguments_in(root: Element, *, with_own: bool = False) -> set[str]:
     names: set[str] = set()
     for element in root.iter():
         given = [value for name, value in element.attributes.items() if name != "params"]
-        own = format_value(element.attributes.get("name"))
+        own = name_of(element)
         for text in (*map(format_value, given), element.text()):
             found = arguments_of(text)
             is_own = element.name == "xacro:property" and not with_own
@@ -287,7 +289,20 @@ class Readers:
         for macro in macros:
             without = inside - {id(macro.element)}
             own = {each.name.lstrip("*") for each in macro.parameters}
-            own |= _defined_in(macro.element)
+            # the properties that a macro always has of its own
+            names: set[str] = set()
+            for element in macro.element.elements():
+                name = name_of(element)
+                text = format_value(element.attributes.get("value"))
+                if (
+                    element.name == "xacro:property"
+                    and "value" in element.attributes
+                    and "scope" not in element.attributes
+                    and not is_argument(text, name)
+                    and name not in _names_in(text)
+                ):
+                    names.add(name)
+            own |= names
             self._add(program, macro.element, macro.file, own, without)
         for path, root in program.roots.items():
             self._add(program, root, path, set(), inside)
@@ -304,28 +319,24 @@ class Readers:
         names = program.forwarded_in(element, without)
         arguments: set[str] = set()  # which no parameter hides
         for inner in element.iter(without):
-            names |= _read_in(inner)
+            # the names that an element alone reads
+            found: set[str] = set()
+            if inner.name.startswith("xacro:"):
+                found.add(f"xacro:{inner.name.removeprefix('xacro:').rpartition('.')[2]}")
+            if inner.name in ("xacro:insert_block", "xacro:call"):
+                given = inner.attributes.get("name", inner.attributes.get("macro"))
+                prefix = "xacro:" if inner.name == "xacro:call" else ""
+                found.add(f"{prefix}{format_value(given)}")
+            for written in (*map(format_value, inner.attributes.values()), inner.text()):
+                if "$" in written:
+                    found |= _names_in(written)
+            names |= found
             for value in (*inner.attributes.values(), inner.text()):
                 text = format_value(value)
                 if _READS_ARGUMENTS.search(text):
                     arguments.update(_WORD.findall(text))
         for name in (names - own) | (arguments & program.arguments.keys()):
             self.files.setdefault(name, set()).add(path)
-
-
-def _read_in(element: Element) -> set[str]:
-    """Return the names that an element alone reads."""
-    names: set[str] = set()
-    if element.name.startswith("xacro:"):
-        names.add(f"xacro:{element.name.removeprefix('xacro:').rpartition('.')[2]}")
-    if element.name in ("xacro:insert_block", "xacro:call"):
-        given = element.attributes.get("name", element.attributes.get("macro"))
-        prefix = "xacro:" if element.name == "xacro:call" else ""
-        names.add(f"{prefix}{format_value(given)}")
-    for text in (*map(format_value, element.attributes.values()), element.text()):
-        if "$" in text:
-            names |= _names_in(text)
-    return names
 
 
 def _names_in(text: str) -> set[str]:
@@ -353,23 +364,6 @@ def _names_of(expression: str) -> set[str]:
     names = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
     in_namespaces = {node.attr for node in ast.walk(tree) if isinstance(node, ast.Attribute)}
     return names | in_namespaces
-
-
-def _defined_in(macro: Element) -> set[str]:
-    """Return the properties that a macro always has of its own."""
-    names: set[str] = set()
-    for element in macro.elements():
-        name = format_value(element.attributes.get("name"))
-        text = format_value(element.attributes.get("value"))
-        if (
-            element.name == "xacro:property"
-            and "value" in element.attributes
-            and "scope" not in element.attributes
-            and not is_argument(text, name)
-            and name not in _names_in(text)
-        ):
-            names.add(name)
-    return names
 
 
 # --- names that macros see and read of their callers ------------------------------------------
@@ -549,7 +543,13 @@ class Passing:
         pending = [*wanted, *defaults]
         while pending:
             macro = pending.pop()
-            if not self._may_have_parameters(macro):
+            # not all calls of the macro are known
+            program = self._program
+            if not (
+                program.has_one_definition(macro)
+                and macro.file not in program.namespaces.inside
+                and id(macro.element) not in self._nested
+            ):
                 return
             for site in self._sites[macro]:
                 caller = site.caller
@@ -561,21 +561,20 @@ class Passing:
                         pending.append(caller)
                 elif not self._is_bound(name, caller, site.before):
                     return
-        if self._are_hidden(name, wanted, wanted | defaults):
+        # a call may be in a block, and a macro that inserts this may have such a name too
+        called = wanted | defaults
+        reached = {own for macro in called for site in self._sites[macro] for own in site.around}
+        pending = list(reached)
+        while pending:
+            new = self._reached[pending.pop()] - reached
+            reached |= new
+            pending += new
+        if any(name in self._own[macro] for macro in reached - wanted):
             return
         for macro in wanted:
             macro.parameters.append(Parameter(name, None, True, 0, 0))
         for macro in defaults:
             macro.from_caller.add(name)
-
-    def _may_have_parameters(self, macro: Macro) -> bool:
-        """Return whether all calls of a macro are known."""
-        program = self._program
-        return (
-            program.has_one_definition(macro)
-            and macro.file not in program.namespaces.inside
-            and id(macro.element) not in self._nested
-        )
 
     def _is_bound(self, name: str, caller: Macro, before: list[Element]) -> bool:
         """Return whether a caller has a name in any case."""
@@ -593,16 +592,6 @@ class Passing:
         if text is not None and "$" not in format_value(text):
             return True
         return bool(text is not None and self._program.files.can_be_evaluated(definition))
-
-    def _are_hidden(self, name: str, wanted: set[Macro], called: set[Macro]) -> bool:
-        """Return if a call is in a block, and a macro that inserts this has such a name too."""
-        reached = {own for macro in called for site in self._sites[macro] for own in site.around}
-        pending = list(reached)
-        while pending:
-            new = self._reached[pending.pop()] - reached
-            reached |= new
-            pending += new
-        return any(name in self._own[macro] for macro in reached - wanted)
 
 
 # --- names of a macro that are read by what it calls and includes -----------------------------
@@ -632,25 +621,6 @@ class _Reads:
         self.reached = reached
 
 
-def _read_first(root: Element, inside: set[int]) -> set[str]:
-    """Return the names that a file reads before it defines them itself."""
-    first: set[str] = set()
-    defined: set[str] = set()
-    conditional: set[int] = set()
-    for element in root.iter(inside):
-        first |= used_in(Element(element.name, element.span, element.attributes)) - defined
-        first |= used_in(Element("text", element.span, {"text": element.text()})) - defined
-        if element.name in ("xacro:if", "xacro:unless"):
-            conditional.update(map(id, element.iter()))
-        elif (
-            element.name == "xacro:property"
-            and "default" not in element.attributes
-            and id(element) not in conditional
-        ):
-            defined.add(format_value(element.attributes.get("name")))
-    return first & defined_in(root)
-
-
 class Callees:
     """Finds the names of macros that are read elsewhere.
 
@@ -677,9 +647,39 @@ class Callees:
         for path, root in program.roots.items():
             reads = self._reads[path] = self._reads_of(root, set(), inside)
             if path in program.included_by_macros:
-                reads.free |= _read_first(root, inside)
-        self._bind_nested()
-        self._hand_on()
+                # the names that a file reads before it defines them itself
+                first: set[str] = set()
+                defined: set[str] = set()
+                conditional: set[int] = set()
+                for each in root.iter(inside):
+                    first |= used_in(Element(each.name, each.span, each.attributes)) - defined
+                    first |= used_in(Element("text", each.span, {"text": each.text()})) - defined
+                    if each.name in ("xacro:if", "xacro:unless"):
+                        conditional.update(map(id, each.iter()))
+                    elif (
+                        each.name == "xacro:property"
+                        and "default" not in each.attributes
+                        and id(each) not in conditional
+                    ):
+                        defined.add(name_of(each))
+                reads.free |= first & defined_in(root)
+        # let macros that are in others see the names of these, as functions do. What they call
+        # does not see them
+        by_element = {id(macro.element): macro for macro in self._program.definitions.values()}
+        for outer in self._program.definitions.values():
+            for element in outer.element.iter():
+                inner = by_element.get(id(element))
+                if inner is not None and inner is not outer:
+                    self._reads[inner].free -= self._reads[outer].own
+        # add what is read by what is reached, until nothing is new
+        is_new = True
+        while is_new:
+            is_new = False
+            for reads in self._reads.values():
+                for other in reads.reached:
+                    found = self._reads[other].free - reads.own - reads.free
+                    is_new = is_new or bool(found)
+                    reads.free |= found
         macros = program.definitions.values()
         self.hidden = program.at_top & set().union(*map(self.read_below, macros))
 
@@ -695,29 +695,6 @@ class Callees:
                 reached.update(program.files.files_of(each))
         used = used_in(element, without=inside) | program.forwarded_in(element, inside)
         return _Reads(own, used, reached)
-
-    def _bind_nested(self) -> None:
-        """Let macros that are in others see the names of these, as functions do.
-
-        What they call does not see them.
-        """
-        by_element = {id(macro.element): macro for macro in self._program.definitions.values()}
-        for outer in self._program.definitions.values():
-            for element in outer.element.iter():
-                inner = by_element.get(id(element))
-                if inner is not None and inner is not outer:
-                    self._reads[inner].free -= self._reads[outer].own
-
-    def _hand_on(self) -> None:
-        """Add what is read by what is reached, until nothing is new."""
-        is_new = True
-        while is_new:
-            is_new = False
-            for reads in self._reads.values():
-                for other in reads.reached:
-                    found = self._reads[other].free - reads.own - reads.free
-                    is_new = is_new or bool(found)
-                    reads.free |= found
 
     def read_below(self, macro: Macro) -> set[str]:
         """Return the names of a macro that what it calls or includes reads."""

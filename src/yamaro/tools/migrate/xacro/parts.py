@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from itertools import permutations
 
-from ....model.schema import JOINT_TYPES
+from ....model.schema import JOINT_TYPES, MOMENTS
 from ....model.values import values_of
 from ....xacro.faults import Fault
 from ....xacro.templates import Expression, parse_template
@@ -19,7 +19,6 @@ from ..document import Body, Entry
 from ..elements import ElementWriter, add_loose, comments_at_ends, has_text, note_comments, pair
 from ..formulas import SIZES, NotComputed, Sample, are_equal, is_inertia_of, key_of, samples
 from ..parts import (
-    MOMENTS,
     PART_KEYS,
     SECTIONS,
     Geometry,
@@ -236,7 +235,15 @@ class XacroPartWriter(PartWriter):
             own = self.spelled(link)
             above = self.spelled(joint) if joint is not None else None
             if above is not None:
-                self._check_joint(above)
+                # refused: it may lack a limit, or statements give it more than a part takes
+                kind = format_value(above.attributes.get("type"))
+                counts = self._counts(above)
+                if "$(" not in kind and kind not in JOINT_TYPES:
+                    raise NoPart
+                if kind not in WITHOUT_LIMIT and not counts.get("limit", (0, 0))[0]:
+                    raise NoPart  # it would be filled in
+                if STRUCTURE & self._given(above).keys() or _may_repeat(counts, "origin", "axis"):
+                    raise NoPart
             part = self.part(own, above, joint_first=joint_first)
         except NoPart:
             return None
@@ -310,17 +317,6 @@ class XacroPartWriter(PartWriter):
             return self._contents.counts(statements, self._around)
         except UnknownContent:
             raise NoPart from None
-
-    def _check_joint(self, joint: Element) -> None:
-        """Refuse a joint that may lack a limit, or that statements give more than a part takes."""
-        kind = format_value(joint.attributes.get("type"))
-        counts = self._counts(joint)
-        if "$(" not in kind and kind not in JOINT_TYPES:
-            raise NoPart
-        if kind not in WITHOUT_LIMIT and not counts.get("limit", (0, 0))[0]:
-            raise NoPart  # it would be filled in
-        if STRUCTURE & self._given(joint).keys() or _may_repeat(counts, "origin", "axis"):
-            raise NoPart
 
     def _count_first(self, link: Element) -> int:
         return self._contents.first_setters(self._originals[id(link)][1])[0]
@@ -637,7 +633,11 @@ class Solids:
 
 def solid_macro(macro: Macro) -> SolidMacro | None:
     """Return what solid's inertia a macro gives, and by which parameters; None for any other."""
-    content = _only_element(macro.element.children)
+    # the one element that has nothing beside it but comments
+    elements = [node for node in macro.element.children if isinstance(node, Element)]
+    texts = [node for node in macro.element.children if not isinstance(node, (Element, Comment))]
+    has_text = any(isinstance(t, Text) and format_value(t.value).strip() for t in texts)
+    content = elements[0] if len(elements) == 1 and not has_text else None
     if content is None or (content.attributes and content.name == "inertial"):
         return None
     inertia, own_mass = content, None
@@ -692,14 +692,6 @@ def _read_by(moments: Iterable[str], macro: Macro) -> list[str] | None:
     if not sample.values.keys() <= keys.keys():
         return None
     return [keys[key] for key in sample.values]
-
-
-def _only_element(nodes: list[Node]) -> Element | None:
-    """Return the one element that has nothing beside it but comments."""
-    elements = [node for node in nodes if isinstance(node, Element)]
-    texts = [node for node in nodes if not isinstance(node, (Element, Comment))]
-    has_text = any(isinstance(t, Text) and format_value(t.value).strip() for t in texts)
-    return elements[0] if len(elements) == 1 and not has_text else None
 
 
 def _parameter(text: str, macro: Macro) -> str | None:

@@ -15,7 +15,7 @@ from ....xacro.templates import guess_value
 from ....xml.tree import Comment, Element
 from ....xml.values import format_value
 from ..document import spaced
-from ..elements import comments_at_ends, tidy_text
+from ..elements import comments_at_ends, name_of, tidy_text
 from ..formulas import Degrees
 from .choices import MARK, Truths, name_alone
 from .names import (
@@ -39,7 +39,7 @@ from .robot_files import RobotFiles
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Container, Iterable, Mapping
+    from collections.abc import Container, Mapping
 
     from ....source import Source, Span
     from ....xacro.host import Host
@@ -62,7 +62,7 @@ class Macro:
     def __init__(self, element: Element, file: str, function: str) -> None:
         """Read its name and parameters."""
         self.element = element
-        self.name = format_value(element.attributes.get("name")).removeprefix("xacro:")
+        self.name = name_of(element).removeprefix("xacro:")
         self.parameters: list[Parameter] = [
             own
             for own in parse_parameters(format_value(element.attributes.get("params", "")))
@@ -194,18 +194,53 @@ class XacroProgram:
         self._take_values()
         self._gather_names()
         self._settle_arguments()
-        self._find_truths()
-        self._pass_names()
+        # find the arguments and expressions that may be true or false
+        self.truth_arguments = {
+            name
+            for name, value in self.values_of_arguments.items()
+            if value.lower() in ("true", "false")
+        }
+        self._maybe_truths = Truths(self.roots.values(), self.truth_arguments)
+        Passing(self).add_parameters()
+        for path, root in self.roots.items():
+            self._names[path] |= self.forwarded_in(root)
         self.spelled = self._spelled()
-        self._constants = self._named_constants()
-        self._set_by_several = self._named_by_several()
+        # the properties whose definitions all are the same constant
+        found: dict[str, set[str]] = {}
+        for file, each in self.roots.items():
+            for element in each.iter():
+                if element.name == "xacro:property":
+                    text = format_value(element.attributes.get("value"))
+                    own = name_of(element)
+                    value = f"{file}: {text}" if "$" in text else text
+                    found.setdefault(own, set()).add(value)
+        several = {own for own, paths in self.properties.items() if len(paths) > 1}
+        self._constants = {own for own, texts in found.items() if len(texts) == 1} & several
+        # the properties that several files set, other than to the same constant
+        files: dict[str, int] = {}
+        for path in self.roots.keys() - self.namespaces.inside:
+            for name in defined_in(self.roots[path]):
+                files[name] = files.get(name, 0) + 1
+        self._set_by_several = {
+            name for name, count in files.items() if count > 1
+        } - self._constants
         self._callers = Callers(self)
         self.inherited = names_of_callers(self)
         self.hidden = HiddenArguments(
             self.roots, self.main, self.definitions.values(), self.inherited
         )
-        self._declare_given(arguments)
-        self.included_by_macros = self._included_by_macros()
+        # note the given arguments that the files read and do not declare
+        root = self.roots[self.main]
+        for name in arguments:
+            if name not in self.arguments and any(name in names for names in self._names.values()):
+                self.arguments[name] = Argument(root.span, "to be given: it has no default")
+        self.included_by_macros = {
+            path
+            for macro in self.definitions.values()
+            for element in macro.element.iter()
+            if element.name == "xacro:include"
+            for path in self.files.files_of(element)
+        }
         self._readers = Readers(self)
         self.known_numbers = known_numbers(self)
 
@@ -242,19 +277,32 @@ class XacroProgram:
         self.namespaces = Namespaces(self.main, self.roots, self.included)
         for path, root in self.roots.items():
             self._gather(path, root)
-        self._number_versions()
+        # give a function of its own to each definition of a macro that is redefined in a row.
+        # That is where all definitions stand at the top of one file, and all calls outside of
+        # macros: the last definition above a call is meant
+        for name, versions in self._macros_of_name.items():
+            if len(versions) < 2 or len({own.file for own in versions}) > 1:
+                continue
+            root = self.roots[versions[0].file]
+            top = {id(element) for element in root.elements()}
+            tag = f"xacro:{name}"
+            calls = [
+                own for other in self.roots.values() for own in other.iter() if own.name == tag
+            ]
+            inside = [own for own in root.iter() if own.name == "xacro:macro"]
+            if (
+                self.has_computed_calls
+                or not all(id(own.element) in top for own in versions)
+                or any(own.span.source.path != versions[0].file for own in calls)
+                or any(own.name == tag for macro in inside for own in macro.iter())
+            ):
+                continue
+            self._in_a_row.add(name)
+            for own in versions[1:]:
+                own.function = self._function_name(name)
         self.at_top = set().union(*map(defined_in, self.roots.values()))
         self.read = set().union(*map(used_in, self.roots.values()))
         self.computed = set().union(*map(computed_with, self.roots.values()))
-
-    def _find_truths(self) -> None:
-        """Find the arguments and expressions that may be true or false."""
-        self.truth_arguments = {
-            name
-            for name, value in self.values_of_arguments.items()
-            if value.lower() in ("true", "false")
-        }
-        self._maybe_truths = Truths(self.roots.values(), self.truth_arguments)
 
     def names_of_includers(self, path: str) -> set[str]:
         """Return the names that the macros have which include a file."""
@@ -297,43 +345,6 @@ class XacroProgram:
             if self.properties[name] & inside and self.properties[name] - inside
         }
 
-    def _named_constants(self) -> set[str]:
-        """Return the properties whose definitions all are the same constant."""
-        found: dict[str, set[str]] = {}
-        for path, root in self.roots.items():
-            for element in root.iter():
-                if element.name == "xacro:property":
-                    text = format_value(element.attributes.get("value"))
-                    name = format_value(element.attributes.get("name"))
-                    value = f"{path}: {text}" if "$" in text else text
-                    found.setdefault(name, set()).add(value)
-        several = {name for name, paths in self.properties.items() if len(paths) > 1}
-        return {name for name, texts in found.items() if len(texts) == 1} & several
-
-    def _named_by_several(self) -> set[str]:
-        """Return the properties that several files set, other than to the same constant."""
-        files: dict[str, int] = {}
-        for path in self.roots.keys() - self.namespaces.inside:
-            for name in defined_in(self.roots[path]):
-                files[name] = files.get(name, 0) + 1
-        return {name for name, count in files.items() if count > 1} - self._constants
-
-    def _included_by_macros(self) -> set[str]:
-        return {
-            path
-            for macro in self.definitions.values()
-            for element in macro.element.iter()
-            if element.name == "xacro:include"
-            for path in self.files.files_of(element)
-        }
-
-    def _declare_given(self, given: Iterable[str]) -> None:
-        """Note the given arguments that the files read and do not declare."""
-        root = self.roots[self.main]
-        for name in given:
-            if name not in self.arguments and any(name in names for names in self._names.values()):
-                self.arguments[name] = Argument(root.span, "to be given: it has no default")
-
     def _gather(self, path: str, root: Element) -> None:
         names = self._names[path] = set()
         for element in root.iter():
@@ -375,7 +386,14 @@ class XacroProgram:
             if isinstance(child, Element):
                 latest = None
                 if child.name == "xacro:arg" and child.attributes.get("name"):  # "" cannot be given
-                    latest = self._add_argument(child, "\n".join(remarks))
+                    # only the first declaration takes the comments
+                    remark = "\n".join(remarks)
+                    name = name_of(child)
+                    is_new = name not in self.arguments
+                    known = self.arguments.setdefault(name, Argument(child.span, remark))
+                    if "default" in child.attributes:
+                        known.add(format_value(child.attributes["default"]))
+                    latest = known if is_new else None
                 remarks = []
             elif not isinstance(child, Comment):
                 continue
@@ -383,39 +401,6 @@ class XacroProgram:
                 remarks.append(tidy_text(child.text))
             elif latest is not None:
                 latest.ending = spaced(latest.ending, tidy_text(child.text))
-
-    def _number_versions(self) -> None:
-        """Give a function of its own to each definition of a macro that is redefined in a row.
-
-        That is where all definitions stand at the top of one file, and all calls outside of
-        macros: the last definition above a call is meant.
-        """
-        for name, versions in self._macros_of_name.items():
-            if len(versions) < 2 or len({own.file for own in versions}) > 1:
-                continue
-            root = self.roots[versions[0].file]
-            top = {id(element) for element in root.elements()}
-            tag = f"xacro:{name}"
-            calls = [
-                own for other in self.roots.values() for own in other.iter() if own.name == tag
-            ]
-            inside = [own for own in root.iter() if own.name == "xacro:macro"]
-            if (
-                self.has_computed_calls
-                or not all(id(own.element) in top for own in versions)
-                or any(own.span.source.path != versions[0].file for own in calls)
-                or any(own.name == tag for macro in inside for own in macro.iter())
-            ):
-                continue
-            self._in_a_row.add(name)
-            for own in versions[1:]:
-                own.function = self._function_name(name)
-
-    def _pass_names(self) -> None:
-        """Pass names of callers as parameters, and note the names that calls forward."""
-        Passing(self).add_parameters()
-        for path, root in self.roots.items():
-            self._names[path] |= self.forwarded_in(root)
 
     def visible_in(self, macro: Macro) -> set[str]:
         """Return the names that a macro may see: its own, and those of all who may call it."""
@@ -442,7 +427,7 @@ class XacroProgram:
             macro = self.macro_called(called)
             if macro is not None:
                 handed |= {
-                    format_value(own.attributes.get("name"))
+                    name_of(own)
                     for own in macro.element.iter()
                     if own.name == "xacro:property" and own.attributes.get("scope") == "parent"
                 }
@@ -466,15 +451,6 @@ class XacroProgram:
             if macro.file in near:
                 return macro
         return None if namespaces else self.macros.get(name)
-
-    def _add_argument(self, element: Element, remark: str) -> Argument | None:
-        """Note the declaration of an argument, and return it if it is the first one."""
-        name = format_value(element.attributes["name"])
-        is_new = name not in self.arguments
-        known = self.arguments.setdefault(name, Argument(element.span, remark))
-        if "default" in element.attributes:
-            known.add(format_value(element.attributes["default"]))
-        return known if is_new else None
 
     def _settle_arguments(self) -> None:
         """Find the default of each argument that has several: that of the first declaration.
@@ -748,7 +724,7 @@ def known_numbers(program: XacroProgram) -> dict[str, float]:
 def _properties(program: XacroProgram) -> dict[str, str]:
     """Return the values of the properties that are at the top of a file."""
     return {
-        format_value(element.attributes["name"]): format_value(element.attributes["value"]).strip()
+        name_of(element): format_value(element.attributes["value"]).strip()
         for root in program.roots.values()
         for element in root.elements()
         if element.name == "xacro:property" and {"name", "value"} <= element.attributes.keys()

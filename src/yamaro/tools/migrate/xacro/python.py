@@ -21,8 +21,9 @@ from ..document import Quoted, literal
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection, Mapping, Sequence
-    from typing import TypeGuard
+    from collections.abc import Callable, Sequence
+
+    from .program import XacroProgram
 
 METHODS = frozenset(
     name
@@ -43,53 +44,34 @@ class Translator:
     """Translates the expressions of one file.
 
     Attributes:
-        is_number: decides which expressions give numbers.
-        is_text: decides which expressions give texts.
-        imports: the modules that they need.
-        used: the names they read.
         argument: gives the name of the variable for an argument.
-        data_folder: what stands before relative names of data.
-        long_floats: the expressions that give floats which are rounded where they are written.
-        spelled: the arguments that keep the spelling of their numbers, with what these are.
-        is_typed_argument: decides which arguments are not always texts.
-        copied: the expressions that give a list which is to be a copy.
-        computed: the names that are more than texts, if their texts allow it.
+        imports: the modules that the expressions need.
+        used: the names they read.
     """
 
     def __init__(
         self,
+        program: XacroProgram,
+        *,
         rename: Callable[[str], str],
+        argument: Callable[[str], str],
         is_namespace: Callable[[str], bool],
-        is_shown_as_truth: Callable[[str], bool],
-        truth_arguments: set[str],
-        numbers: Mapping[str, str],
-        truth_texts: Collection[str],
+        data_folder: str,
     ) -> None:
-        """Take what is known of the program.
+        """Take the robot, and the names of a file.
 
         Args:
-            rename: gives the name of the variable for a property or argument.
+            program: the robot: it knows what its expressions and arguments give.
+            rename: gives the name of the variable for a property.
+            argument: gives that for an argument.
             is_namespace: decides which names are namespaces.
-            is_shown_as_truth: decides which expressions are True or False when put in a text.
-            truth_arguments: the arguments that are true or false.
-            numbers: the expressions that give a text which is taken for a number, with its kind.
-            truth_texts: the expressions that give a text which is taken for a truth value.
+            data_folder: what stands before relative names of data.
         """
+        self._program = program
         self._rename = rename
-        self.argument = rename
+        self.argument = argument
         self._is_namespace = is_namespace
-        self._is_shown_as_truth = is_shown_as_truth
-        self._truth_arguments = truth_arguments
-        self._numbers = numbers
-        self._truth_texts = truth_texts
-        self.data_folder = ""
-        self.long_floats: Collection[str] = ()
-        self.computed: Collection[str] = ()
-        self.copied: Collection[str] = ()
-        self.spelled: Mapping[str, str] = {}
-        self.is_typed_argument: Callable[[str], bool] = lambda name: False
-        self.is_number: Callable[[str], bool] = lambda text: False
-        self.is_text: Callable[[str], bool] = lambda text: True
+        self._data_folder = data_folder
         self.imports: set[str] = set()
         self.used: set[str] = set()
 
@@ -98,13 +80,14 @@ class Translator:
     def text(self, text: str) -> str:
         """Return a text that is written: an attribute, the content of an element, a name."""
         pieces = []
+        long_floats = self._program.runs.python.long_floats
         parts = _parsed(text).parts
         for index, part in enumerate(parts):
             if isinstance(part, str):
                 pieces.append(literal(part))
             elif isinstance(part, Substitution):
                 python = self._substitution(part.text)
-                if part.text.startswith("eval ") and self._is_shown_as_truth(
+                if part.text.startswith("eval ") and self._program.is_shown_as_truth(
                     re.sub(r"\$\{([^{}]*)\}", r"(\1)", part.text[5:])
                 ):
                     python = f"str({python})"
@@ -112,14 +95,14 @@ class Translator:
             else:
                 python = self.expression(part.text)
                 is_ended = not _is_in_word(["", part, *parts[index + 1 :]], 1)
-                if ends_in_minus(pieces) and is_ended and self.is_number(part.text):
+                if ends_in_minus(pieces) and is_ended and self._program.is_number(part.text):
                     pieces[-1] = pieces[-1][:-1]
                     python = minus(python)
-                elif self._is_shown_as_truth(part.text) or (
-                    part.text.strip() in self.long_floats and _is_in_word(parts, index)
+                elif self._program.is_shown_as_truth(part.text) or (
+                    part.text.strip() in long_floats and _is_in_word(parts, index)
                 ):
                     python = f"str({python})"
-                elif ends_in_minus(pieces) and self.is_number(part.text):
+                elif ends_in_minus(pieces) and self._program.is_number(part.text):
                     pieces[-1] = pieces[-1][:-1]
                     python = minus(python)
                 pieces.append(f"$({python})")
@@ -137,9 +120,9 @@ class Translator:
         template = _parsed(text)
         if len(template.parts) == 1 and isinstance(template.parts[0], Expression):
             own = template.parts[0].text
-            kind = self._numbers.get(own.strip())
+            kind = self._program.numbers.get(own.strip())
             python = without_parentheses(self.expression(own))
-            if own.strip() in self.copied:
+            if own.strip() in self._program.copied:
                 kind = "list"
             if kind:
                 return f"$({kind}({python}))"
@@ -149,10 +132,10 @@ class Translator:
             return typed(plain)
         if len(template.parts) == 1 and isinstance(template.parts[0], Substitution):
             own = template.parts[0].text
-            kind = self.spelled.get(own.removeprefix("arg").strip())
+            kind = self._program.spelled.get(own.removeprefix("arg").strip())
             if kind:
                 return f"$({kind}({self._command(own)}))"
-            return self._environment(own, always=name in self.computed) or self.text(text)
+            return self._environment(own, always=name in self._program.computed) or self.text(text)
         return self.text(text)
 
     def _quoted(self, text: str) -> str:
@@ -161,7 +144,7 @@ class Translator:
         name = (
             parts[0].text.removeprefix("arg").strip() if isinstance(parts[0], Substitution) else ""
         )
-        if len(parts) > 1 or not self.is_typed_argument(name):
+        if len(parts) > 1 or not self._program.is_typed_argument(name):
             return self.text(text)
         return f"$({self._as_text(self.argument(name))})"
 
@@ -194,7 +177,7 @@ class Translator:
                 return _environment(part.text.split()[1:])
             return self._command(part.text)
         python = without_parentheses(self.expression(part.text))
-        if part.text.strip() in self._truth_texts:
+        if part.text.strip() in self._program.truth_texts:
             return f"str({python}).lower() in ('true', '1')"
         return python
 
@@ -231,7 +214,9 @@ class Translator:
             self._attribute(node, edits, bound)
             return
         if isinstance(node, (ast.ListComp, ast.SetComp, ast.GeneratorExp, ast.DictComp)):
-            names = [n.id for g in node.generators for n in ast.walk(g.target) if _is_name(n)]
+            names = [
+                n.id for g in node.generators for n in ast.walk(g.target) if isinstance(n, ast.Name)
+            ]
             bound = bound | frozenset(names)
         if isinstance(node, ast.Lambda):
             bound = bound | frozenset(argument.arg for argument in node.args.args)
@@ -253,9 +238,9 @@ class Translator:
         edits.replace(func, names[func.attr])
         if func.attr in MESSAGES:
             edits.insert_after(node, " or '')")
-        if func.attr == "load_yaml" and self.data_folder and node.args:
+        if func.attr == "load_yaml" and self._data_folder and node.args:
             is_loose = isinstance(node.args[0], (ast.IfExp, ast.BoolOp, ast.Compare))
-            edits.insert_before(node.args[0], f"{self.data_folder!r} + " + "(" * is_loose)
+            edits.insert_before(node.args[0], f"{self._data_folder!r} + " + "(" * is_loose)
             edits.insert_after(node.args[0], ")" * is_loose)
         for argument in (*node.args, *node.keywords):
             self._look_at(argument, edits, bound)
@@ -327,7 +312,9 @@ class Translator:
             if quote:
                 out.append(f"{quote} + {self._as_text(python)} + {quote}")
             elif python.startswith("env(") and "$" not in found["command"]:
-                out.append(_bare_environment(found["command"].split()[1:]))
+                words = found["command"].split()[1:]
+                variable = _environment(words)
+                out.append(f"({variable})" if " if " in variable else variable)
             else:
                 out.append(python)
         out.append(text[position:])
@@ -335,10 +322,10 @@ class Translator:
 
     def _read_again(self, expression: str, python: str) -> str:
         """Return an expression whose text xacro puts into another, where it is read as Python."""
-        kind = self._numbers.get(expression)
+        kind = self._program.numbers.get(expression)
         if kind:
             return f"{kind}{python}"
-        if expression in self._truth_texts:
+        if expression in self._program.truth_texts:
             return f"(str{python}.lower() == 'true')"
         return python
 
@@ -347,7 +334,7 @@ class Translator:
             return python
         return (
             f"str({python}).lower()"
-            if python.removeprefix("arg_") in self._truth_arguments
+            if python.removeprefix("arg_") in self._program.truth_arguments
             else f"str({python})"
         )
 
@@ -377,7 +364,9 @@ class Translator:
         if command == "cwd":
             return "cwd"
         if command == "eval":
-            return self._evaluated(content.partition("eval")[2])
+            text = content.partition("eval")[2]
+            text = re.sub(r"""\barg\((['"])(\w+)\1\)""", r"\2", text)
+            return self.expression(text)
         raise CannotMigrate(f"there is no counterpart of $({content})")
 
     def joined(self, text: str) -> str:
@@ -392,13 +381,8 @@ class Translator:
                 pieces.append(python if is_text else f"str({python})")
             else:
                 python = self.expression(part.text)
-                pieces.append(python if self.is_text(part.text) else f"str({python})")
+                pieces.append(python if self._program.is_text(part.text) else f"str({python})")
         return " + ".join(pieces)
-
-    def _evaluated(self, text: str) -> str:
-        """Return what follows `$(eval`, where arguments are names, or called as arg('name')."""
-        text = re.sub(r"""\barg\((['"])(\w+)\1\)""", r"\2", text)
-        return self.expression(text)
 
 
 def typed(text: str) -> str:
@@ -442,10 +426,6 @@ def _parsed(text: str) -> Template:
         raise CannotMigrate(str(fault)) from None
 
 
-def _is_name(node: ast.AST) -> TypeGuard[ast.Name]:
-    return isinstance(node, ast.Name)
-
-
 _SPACES = re.compile(r"""('[^'\n]*'|"[^"\n]*")|\s{2,}|\n""")
 """Texts in Python, and the space between other things that takes more than one character."""
 
@@ -471,12 +451,6 @@ def _environment(words: Sequence[str]) -> str:
     if not default:
         other = "''"
     return f"env({name!r}, 0) if {is_there} else {other}"
-
-
-def _bare_environment(words: Sequence[str]) -> str:
-    """Return a variable of the environment that is in an expression without quotes."""
-    python = _environment(words)
-    return f"({python})" if " if " in python else python
 
 
 # --- Python changed where it stands: edits, negations, parentheses ----------------------------

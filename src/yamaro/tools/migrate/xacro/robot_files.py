@@ -19,6 +19,7 @@ from ....xacro.templates import guess_value
 from ....xml.tree import Element, Text
 from ....xml.values import format_number, format_value
 from ....yaml.reader import UNITS
+from ..elements import name_of
 from .choices import Choices, Spellings
 from .includes import ENDINGS, folder_meant
 
@@ -69,7 +70,27 @@ class RobotFiles:
         self._read_the_rest(host)
         if with_others:
             self._try_others()
-            self._read_computed()
+            # read the files that includes may mean whose names are computed
+            choices = self.choices()
+            pending = list(self.documents)
+            while pending:
+                path = pending.pop()
+                for text, span in self._names_of_includes(path):
+                    if "$" not in text:
+                        continue
+                    key = (span.source.path, span.start)
+                    is_new = key not in self.included
+                    base = self._base_of(self.runs.named.get(key, {}), os.path.dirname(path))
+                    named = choices.files_named(text, span, base, by_pattern=is_new)
+                    named |= Spellings(choices, span).items(text, base)
+                    for name, found in named.items():
+                        if found == self.main or not self._read_file(found, span):
+                            continue
+                        known = self.included.setdefault(key, [])
+                        if found not in known:
+                            known.append(found)
+                        self.runs.named.setdefault(key, {})[name] = found
+            self._read_the_rest(self._host)
         self.roots = without_setters(self._roots_read())
         python, names = self.runs.python, self.runs.names
         self.data = {
@@ -105,29 +126,6 @@ class RobotFiles:
                     for value in inner.get(name, ())
                 ]
         self.untried = pending
-
-    def _read_computed(self) -> None:
-        """Read the files that includes may mean whose names are computed."""
-        choices = self.choices()
-        pending = list(self.documents)
-        while pending:
-            path = pending.pop()
-            for text, span in self._names_of_includes(path):
-                if "$" not in text:
-                    continue
-                key = (span.source.path, span.start)
-                is_new = key not in self.included
-                base = self._base_of(self.runs.named.get(key, {}), os.path.dirname(path))
-                named = choices.files_named(text, span, base, by_pattern=is_new)
-                named |= Spellings(choices, span).items(text, base)
-                for name, found in named.items():
-                    if found == self.main or not self._read_file(found, span):
-                        continue
-                    known = self.included.setdefault(key, [])
-                    if found not in known:
-                        known.append(found)
-                    self.runs.named.setdefault(key, {})[name] = found
-        self._read_the_rest(self._host)
 
     def _base_of(self, named: Mapping[str, str], folder: str) -> str:
         """Return the folder that names of files are relative to: in a macro, that of its caller.
@@ -380,7 +378,18 @@ class Runs:
         finally:
             self._left -= expansion.walked
             self.loaded |= evaluator.loaded
-        self._evaluate_the_rest(expansion)
+        # evaluate the properties that nothing has read, as the language does
+        for scope in expansion.scopes:
+            for name in list(scope.lazy):
+                if name not in scope.lazy:  # another one has read it meanwhile
+                    continue
+                span = scope.lazy[name].place.node.span
+                try:
+                    scope[name]
+                except (YamaroError, RecursionError):
+                    self.failing.add((span.source.path, span.start))
+        self.evaluated |= expansion.evaluator.evaluated
+        self.failing -= self.evaluated
         self.names = evaluator.names
         self._parsed |= expansion.documents
         for document in expansion.documents.values():
@@ -396,20 +405,6 @@ class Runs:
         }  # none can be given as ""
         self.done.append(Run(changed, given, values, result))
         return self.done[-1]
-
-    def _evaluate_the_rest(self, expansion: WatchedExpansion) -> None:
-        """Evaluate the properties that nothing has read, as the language does."""
-        for scope in expansion.scopes:
-            for name in list(scope.lazy):
-                if name not in scope.lazy:  # another one has read it meanwhile
-                    continue
-                span = scope.lazy[name].place.node.span
-                try:
-                    scope[name]
-                except (YamaroError, RecursionError):
-                    self.failing.add((span.source.path, span.start))
-        self.evaluated |= expansion.evaluator.evaluated
-        self.failing -= self.evaluated
 
 
 class WatchedExpansion(Expansion):
@@ -576,16 +571,15 @@ class WatchedPython(Python):
             if format_number(value) != str(value):
                 self.long_floats.add(text.strip())
         elif isinstance(value, str):
-            self._note_kind(text.strip(), guess_value(value))
+            own = text.strip()
+            meant = guess_value(value)
+            kind = {float: "float", int: "int"}.get(type(meant), "text")
+            known = self.numbers.setdefault(own, kind)
+            if kind != known:
+                self.numbers[own] = "text" if "text" in (kind, known) else "float"
             is_truth = value in _TRUTH_TEXTS
             (self.truth_texts if is_truth else self.other_texts).add(text.strip())
         return value
-
-    def _note_kind(self, text: str, meant: object) -> None:
-        kind = {float: "float", int: "int"}.get(type(meant), "text")
-        known = self.numbers.setdefault(text, kind)
-        if kind != known:
-            self.numbers[text] = "text" if "text" in (kind, known) else "float"
 
 
 # --- macros that set properties whose names they are given ------------------------------------
@@ -599,7 +593,7 @@ _HOLE = re.compile(r"\$\{([^}]*)\}")
 def without_setters(roots: Mapping[str, Element]) -> dict[str, Element]:
     """Return the root elements of files with properties in place of the calls of such macros."""
     macros = [own for root in roots.values() for own in root.iter() if own.name == "xacro:macro"]
-    names = [_name_of(macro) for macro in macros]
+    names = [name_of(macro).removeprefix("xacro:") for macro in macros]
     setters = {
         name: macro
         for name, macro in zip(names, macros, strict=True)
@@ -614,10 +608,6 @@ def without_setters(roots: Mapping[str, Element]) -> dict[str, Element]:
     return {path: _changed(root, replaced, gone) for path, root in roots.items()}
 
 
-def _name_of(macro: Element) -> str:
-    return format_value(macro.attributes.get("name")).removeprefix("xacro:")
-
-
 def _called(element: Element) -> str:
     """Return the name of the macro that a tag would call, in whatever namespace."""
     return element.name.removeprefix("xacro:").rpartition(".")[2] if ":" in element.name else ""
@@ -626,7 +616,7 @@ def _called(element: Element) -> str:
 def _is_setter(macro: Element) -> bool:
     """Return whether a macro only sets properties for its caller, one at least by a name given."""
     inside = macro.elements()
-    names = [format_value(own.attributes.get("name")) for own in inside]
+    names = [name_of(own) for own in inside]
     return (
         any("$" in name for name in names)
         and all(own.name == "xacro:property" and not own.elements() for own in inside)

@@ -12,7 +12,7 @@ from ....xml.tree import Comment, Element
 from ....xml.values import format_value
 from ....yaml.nodes import type_plain
 from ..document import Body, Entry, Quoted, Row, without_expressions
-from ..elements import add_loose, comments_at_ends
+from ..elements import add_loose, comments_at_ends, name_of
 from .loops import find_loop
 from .names import arguments_in, arguments_of, camel, defined_in, is_argument, names_in, used_in
 from .parts import is_statement
@@ -142,7 +142,7 @@ def write_argument(writer: FileWriter, node: Element, body: Body) -> None:
     """
     body.remark = ""
     body.latest = Entry("")  # it takes the comments at the end of the line
-    name = format_value(node.attributes.get("name"))
+    name = name_of(node)
     if not is_late(writer, name) or "default" not in node.attributes:
         return
     hidden = writer.program.hidden
@@ -180,7 +180,13 @@ def write_property(writer: FileWriter, node: Element, body: Body) -> None:
     if not is_identifier(name):
         raise CannotMigrate(f"the name of the property '{name}' is computed, or no name")
     if "value" not in given and "default" not in given:
-        _define_block(writer, node, name, body)
+        with writer.within(place_of_block(writer, None, name), holder=(None, name)):
+            function = Body([Entry("body", writer.body(node.children))])
+        reach = writer.scope_of(name)
+        writer.functions.note(body.remark)
+        body.remark = ""
+        writer.functions.add(block_name(writer, name) + reach, function)
+        body.latest = writer.functions.latest
         return
     text = given.get("value", given.get("default", ""))
     if is_argument(text, name) and name not in writer.here.hides:
@@ -215,7 +221,13 @@ def write_property(writer: FileWriter, node: Element, body: Body) -> None:
         body.entries[-1].comment = remark
     variables.add(name + scope, value)
     body.latest = variables.latest
-    _sort(writer, variables, name, text)
+    # put the last of variables before the first that reads it: xacro's are evaluated late
+    entries = variables.entries
+    writer.made_of[id(entries[-1])] = names_in(text)
+    for index, entry in enumerate(entries):
+        if entry is not entries[-1] and name in writer.made_of.get(id(entry), ()):
+            entries.insert(index, entries.pop())
+            return
 
 
 def _scope(writer: FileWriter, name: str, given: str) -> str:
@@ -245,16 +257,6 @@ def _is_handed_down(writer: FileWriter, name: str, macro: Macro | None) -> bool:
     return macro is not None and name in writer.callees.read_below(macro)
 
 
-def _sort(writer: FileWriter, variables: Body, name: str, text: str) -> None:
-    """Put the last of variables before the first that reads it: xacro's are evaluated late."""
-    entries = variables.entries
-    writer.made_of[id(entries[-1])] = names_in(text)
-    for index, entry in enumerate(entries):
-        if entry is not entries[-1] and name in writer.made_of.get(id(entry), ()):
-            entries.insert(index, entries.pop())
-            return
-
-
 def _may_be_evaluated(writer: FileWriter, node: Element, text: str) -> bool:
     """Return whether all that a value is made of is there: xacro evaluates only what is read."""
     known = writer.program.files.can_be_evaluated(node)
@@ -265,19 +267,9 @@ def _may_be_evaluated(writer: FileWriter, node: Element, text: str) -> bool:
     )
 
 
-def _define_block(writer: FileWriter, node: Element, name: str, body: Body) -> None:
-    with writer.within(place_of_block(writer, None, name), holder=(None, name)):
-        function = Body([Entry("body", writer.body(node.children))])
-    scope = writer.scope_of(name)
-    writer.functions.note(body.remark)
-    body.remark = ""
-    writer.functions.add(block_name(writer, name) + scope, function)
-    body.latest = writer.functions.latest
-
-
 def write_macro(writer: FileWriter, node: Element, body: Body) -> None:
     """Write a macro as a function."""
-    name = format_value(node.attributes.get("name")).removeprefix("xacro:")
+    name = name_of(node).removeprefix("xacro:")
     macro = writer.program.definitions.get((writer.path, node.span.start))
     if macro is None:
         raise CannotMigrate("the macro has no name")
@@ -287,7 +279,21 @@ def write_macro(writer: FileWriter, node: Element, body: Body) -> None:
         body.note(why)
         return
     function = Body()
-    inputs = _inputs(writer, macro)
+    required: list[str] = []
+    optional: list[str] = []
+    blocks: list[str] = []
+    for own in macro.parameters:
+        if own.is_block:
+            blocks.append("**" + block_name(writer, own.name.lstrip("*")))
+        elif (own.is_forwarded and own.default is None) or macro.is_default_of_caller(own):
+            required.append(own.name)
+        elif own.default is not None:
+            optional.append(f"{own.name}={_default(writer, own)}")
+        elif macro.element.attributes["params"] and _has_empty_default(macro, own):
+            optional.append(f"{own.name}=''")
+        else:
+            required.append(own.name)
+    inputs = required + optional + blocks
     if inputs:
         function.add("input", Row(inputs))
     place = writer.write_for_parts if writer.contents.may_be_in_part(macro) else None
@@ -317,24 +323,6 @@ def _loop(writer: FileWriter, macro: Macro) -> Body | None:
         return None
     writer.here.visible = writer.here.visible | {loop.iterator}
     return loop.body(writer.statements, writer.translator.value)
-
-
-def _inputs(writer: FileWriter, macro: Macro) -> list[str]:
-    required: list[str] = []
-    optional: list[str] = []
-    blocks: list[str] = []
-    for own in macro.parameters:
-        if own.is_block:
-            blocks.append("**" + block_name(writer, own.name.lstrip("*")))
-        elif (own.is_forwarded and own.default is None) or macro.is_default_of_caller(own):
-            required.append(own.name)
-        elif own.default is not None:
-            optional.append(f"{own.name}={_default(writer, own)}")
-        elif macro.element.attributes["params"] and _has_empty_default(macro, own):
-            optional.append(f"{own.name}=''")
-        else:
-            required.append(own.name)
-    return required + optional + blocks
 
 
 def _default(writer: FileWriter, own: Parameter) -> str:
@@ -499,7 +487,7 @@ def _may_change_others(body: Body) -> bool:
 
 def write_block(writer: FileWriter, node: Element, body: Body) -> None:
     """Write where a block is inserted."""
-    name = format_value(node.attributes.get("name"))
+    name = name_of(node)
     if name in writer.here.blocks or name in writer.program.blocks:
         owner = writer.here.macro if name in writer.here.blocks else None
         writer.placing.note((owner.name if owner else None, name), writer.here.holder)
@@ -521,10 +509,25 @@ def write_call(writer: FileWriter, node: Element, body: Body) -> None:
     if macro is not None:
         writer.placing.note(macro.name, writer.here.holder)
     if macro is None:
-        _call_unknown(writer, node, name)
+        # the sources call a function that is nowhere; such calls are made on purpose
+        if node.elements() or "." in name or not is_identifier(camel(name)):
+            raise CannotMigrate(f"there is no macro '{name}'")
+        hint = "the sources call it too, which is an error where it is reached, as in xacro"
+        writer.lose(node.span, f"there is no macro '{name}'", hint)
         body.add(camel(name), arguments or None)
         return
-    _add_forwarded(writer, node, macro, arguments)
+    # add the arguments that a call does not give, and takes from what is around it
+    visible = writer.here.parameters | writer.here.locals | writer.program.at_top
+    for own in macro.parameters:
+        if own.name in node.attributes:
+            continue
+        is_seen = own.name in visible or (
+            own.default is None and own.name in writer.program.inherited
+        )
+        if own.is_forwarded and is_seen:
+            arguments.add(own.name, f"$({own.name})")
+        elif own.default is not None and macro.is_default_of_caller(own):
+            arguments.add(own.name, writer.translator.value(own.default, own.name))
     if macro.blocks():
         renamed = _keep_own(writer, node, macro, body)
         with writer.at(writer.here.renaming(renamed)):
@@ -575,33 +578,17 @@ def _keep_own(writer: FileWriter, node: Element, macro: Macro, body: Body) -> di
     return renamed
 
 
-def _call_unknown(writer: FileWriter, node: Element, name: str) -> None:
-    """Note that the sources call a function that is nowhere; such calls are made on purpose."""
-    if node.elements() or "." in name or not is_identifier(camel(name)):
-        raise CannotMigrate(f"there is no macro '{name}'")
-    hint = "the sources call it too, which is an error where it is reached, as in xacro"
-    writer.lose(node.span, f"there is no macro '{name}'", hint)
-
-
-def _add_forwarded(writer: FileWriter, node: Element, macro: Macro, arguments: Body) -> None:
-    """Add the arguments that a call does not give, and takes from what is around it."""
-    visible = writer.here.parameters | writer.here.locals | writer.program.at_top
-    for own in macro.parameters:
-        if own.name in node.attributes:
-            continue
-        is_seen = own.name in visible or (
-            own.default is None and own.name in writer.program.inherited
-        )
-        if own.is_forwarded and is_seen:
-            arguments.add(own.name, f"$({own.name})")
-        elif own.default is not None and macro.is_default_of_caller(own):
-            arguments.add(own.name, writer.translator.value(own.default, own.name))
-
-
 def _add_blocks(writer: FileWriter, node: Element, macro: Macro, arguments: Body) -> None:
     given = [child for child in node.children if isinstance(child, Element)]
     blocks = macro.blocks()
-    remarks = _remarks_on(node)
+    # an entry for each child of an element that has no more than the comments on it
+    remarks = Body()
+    endings = comments_at_ends(node.children)
+    for child in node.children:
+        if isinstance(child, Element):
+            remarks.add("")
+        elif isinstance(child, Comment):
+            add_loose(child, remarks, endings)
     arguments.opening = remarks.opening
     if len(blocks) != len(given) or _has_choice(blocks, given):
         _add_chosen(writer, macro, node, arguments)
@@ -636,7 +623,18 @@ def _has_choice(blocks: list[str], given: list[Element]) -> bool:
 def _add_chosen(writer: FileWriter, macro: Macro, node: Element, arguments: Body) -> None:
     """Add blocks that conditions choose: each element, or row of conditions, is one of them."""
     blocks = macro.blocks()
-    rows = _rows(node.children)
+    # elements one by one, but conditions that follow each other together
+    rows: list[list[Node]] = []
+    was_condition = False
+    for each in node.children:
+        if not isinstance(each, Element):
+            continue
+        is_condition = each.name in _CONDITIONS
+        if is_condition and was_condition:
+            rows[-1].append(each)
+        else:
+            rows.append([each])
+        was_condition = is_condition
     if len(blocks) == 1 and not blocks[0].startswith("**"):
         rows = [node.children]
     if len(rows) != len(blocks):
@@ -657,22 +655,6 @@ def _add_chosen(writer: FileWriter, macro: Macro, node: Element, arguments: Body
 _CONDITIONS = ("xacro:if", "xacro:unless")
 
 
-def _rows(nodes: list[Node]) -> list[list[Node]]:
-    """Return elements one by one, but conditions that follow each other together."""
-    rows: list[list[Node]] = []
-    was_condition = False
-    for node in nodes:
-        if not isinstance(node, Element):
-            continue
-        is_condition = node.name in _CONDITIONS
-        if is_condition and was_condition:
-            rows[-1].append(node)
-        else:
-            rows.append([node])
-        was_condition = is_condition
-    return rows
-
-
 def _inside(node: Node, block: str, macro: Macro) -> list[Node]:
     """Return what is in an element, or in those that a condition chooses from."""
     if not isinstance(node, Element):
@@ -685,42 +667,26 @@ def _inside(node: Node, block: str, macro: Macro) -> list[Node]:
     return node.children
 
 
-def _remarks_on(node: Element) -> Body:
-    """Return an entry for each child of an element that has no more than the comments on it."""
-    remarks = Body()
-    endings = comments_at_ends(node.children)
-    for child in node.children:
-        if isinstance(child, Element):
-            remarks.add("")
-        elif isinstance(child, Comment):
-            add_loose(child, remarks, endings)
-    return remarks
-
-
 def write_call_by_name(writer: FileWriter, node: Element, body: Body) -> None:
     """Write a call whose macro is given by an attribute."""
     given = format_value(node.attributes.get("macro"))
     if "$" in given:
-        _call_computed(writer, node, given, body)
+        # call the macro whose name an expression gives, if none of them takes a block
+        macros = writer.program.macros.values()
+        if node.elements():
+            raise CannotMigrate("the macro that is called is computed, and takes blocks")
+        names = {macro.name: macro.function for macro in macros if not macro.blocks()}
+        for name in names:
+            writer.placing.note(name, None)
+        arguments = Body(in_braces=True)
+        for key, value in node.attributes.items():
+            if key != "macro":
+                arguments.add(key, writer.translator.value(format_value(value), key))
+        body.add(f"$({names!r}[{writer.translator.joined(given)}])", arguments or None)
         return
     attributes = {k: v for k, v in node.attributes.items() if k != "macro"}
     named = Element(f"xacro:{given}", node.span, attributes, node.children)
     write_call(writer, named, body)
-
-
-def _call_computed(writer: FileWriter, node: Element, given: str, body: Body) -> None:
-    """Call the macro whose name an expression gives, if none of them takes a block."""
-    macros = writer.program.macros.values()
-    if node.elements():
-        raise CannotMigrate("the macro that is called is computed, and takes blocks")
-    names = {macro.name: macro.function for macro in macros if not macro.blocks()}
-    for name in names:
-        writer.placing.note(name, None)
-    arguments = Body(in_braces=True)
-    for key, value in node.attributes.items():
-        if key != "macro":
-            arguments.add(key, writer.translator.value(format_value(value), key))
-    body.add(f"$({names!r}[{writer.translator.joined(given)}])", arguments or None)
 
 
 def block_name(writer: FileWriter, name: str) -> str:

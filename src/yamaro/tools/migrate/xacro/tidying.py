@@ -38,7 +38,27 @@ def tidy(files: dict[str, Body], main: str, program: XacroProgram) -> None:
     _drop_aliases(list(files.values()), {f"arg_{name}" for name in program.arguments})
     _drop_parameters(list(files.values()), program)
     _drop_empty_files(files, main)
-    _make_local(files, program)
+    # take the scope from variables that are declared once, and read in that file only
+    words = {path: set(words_read(sections)) for path, sections in files.items()}
+    others = {word for text in program.files.data.values() for word in _WORD.findall(text)}
+    if len(program.roots) > len(files):
+        for root in program.roots.values():
+            others |= _words_in_macro(root)
+    times = Counter(
+        stem_of(own)
+        for sections in files.values()
+        for entry in entries_in(sections)
+        if entry.key == "variables" and isinstance(entry.value, Body)
+        for own in entry.value
+    )
+    for path, sections in files.items():
+        read = others.union(*(own for other, own in words.items() if other != path))
+        for variables in [entry.value for entry in sections if entry.key == "variables"]:
+            assert isinstance(variables, Body)
+            for entry in variables:
+                name, _, scope = entry.key.partition("/")
+                if scope == "global" and name not in read and times[name] == 1:
+                    entry.key = name
 
 
 # --- what nothing reads ---------------------------------------------------------------------------
@@ -46,7 +66,7 @@ def tidy(files: dict[str, Body], main: str, program: XacroProgram) -> None:
 
 def _drop_aliases(files: list[Body], names: set[str]) -> None:
     """Leave out arguments under names of their own that nothing reads."""
-    used = {word for sections in files for word in _words_of_values(sections)}
+    used = {word for sections in files for word in _words_in(sections, in_keys=False)}
     for sections in files:
         for body in bodies_in(sections):
             for entry in [entry for entry in body if entry.key == "variables"]:
@@ -80,7 +100,7 @@ def _drop_parameters(files: list[Body], program: XacroProgram) -> None:
                 continue
             if name in computed or name not in read:
                 continue
-            used = set(_words_in(Body(function.entries[1:])))
+            used = set(_words_in(Body(function.entries[1:]), in_keys=True))
             for piece in inputs.value.pieces:
                 used.update(_WORD.findall(piece.partition("=")[2]))
             dropped = {
@@ -131,30 +151,6 @@ def _functions_in(files: list[Body]) -> dict[str, Body]:
 # --- scopes ---------------------------------------------------------------------------------------
 
 
-def _make_local(files: dict[str, Body], program: XacroProgram) -> None:
-    """Take the scope from variables that are declared once, and read in that file only."""
-    words = {path: set(words_read(sections)) for path, sections in files.items()}
-    others = {word for text in program.files.data.values() for word in _WORD.findall(text)}
-    if len(program.roots) > len(files):
-        for root in program.roots.values():
-            others |= _words_in_macro(root)
-    times = Counter(
-        stem_of(own)
-        for sections in files.values()
-        for entry in entries_in(sections)
-        if entry.key == "variables" and isinstance(entry.value, Body)
-        for own in entry.value
-    )
-    for path, sections in files.items():
-        read = others.union(*(own for other, own in words.items() if other != path))
-        for variables in [entry.value for entry in sections if entry.key == "variables"]:
-            assert isinstance(variables, Body)
-            for entry in variables:
-                name, _, scope = entry.key.partition("/")
-                if scope == "global" and name not in read and times[name] == 1:
-                    entry.key = name
-
-
 # --- files ----------------------------------------------------------------------------------------
 
 
@@ -168,7 +164,17 @@ def _drop_empty_files(files: dict[str, Body], main: str) -> None:
     ]
     if any("$(" in path for path in includes):
         return  # it may be any file
-    while empty := [path for path, body in files.items() if path != main and _is_empty(body)]:
+    while empty := [
+        path
+        for path, body in files.items()
+        if path != main
+        and (
+            not body.remark
+            and all(
+                entry.key == "model" and not entry.value and not entry.comment for entry in body
+            )
+        )
+    ]:
         for path in empty:
             del files[path]
         for own, sections in files.items():
@@ -183,12 +189,6 @@ def _drop_empty_files(files: dict[str, Body], main: str) -> None:
 def file_meant(include: Entry, path: str) -> str:
     """Return the path of the source that an include in a source names."""
     return os.path.normpath(os.path.join(os.path.dirname(path), path_of_include(include)))
-
-
-def _is_empty(sections: Body) -> bool:
-    return not sections.remark and all(
-        entry.key == "model" and not entry.value and not entry.comment for entry in sections
-    )
 
 
 def path_of_include(entry: Entry) -> str:
@@ -262,25 +262,17 @@ def entries_in(body: Body) -> Iterator[Entry]:
         yield from list(own)
 
 
-def _words_in(body: Body) -> Iterator[str]:
-    """Return all words in keys and values."""
+def _words_in(body: Body, *, in_keys: bool) -> Iterator[str]:
+    """Return all words in values, and in keys where these are expressions, or in all keys."""
     for entry in entries_in(body):
-        yield from _WORD.findall(entry.key)
-        if isinstance(entry.value, str):
-            yield from _WORD.findall(entry.value)
-
-
-def _words_of_values(body: Body) -> Iterator[str]:
-    """Return all words in values, and in keys where these are expressions."""
-    for entry in entries_in(body):
-        if "$(" in entry.key:
+        if in_keys or "$(" in entry.key:
             yield from _WORD.findall(entry.key)
         if isinstance(entry.value, str):
             yield from _WORD.findall(entry.value)
 
 
 def words_read(body: Body) -> Iterator[str]:
-    """Return the same without the names of parameters."""
+    """Return the words in values and expressions, without the names of parameters."""
     for entry in entries_in(body):
         if "$(" in entry.key:
             yield from _WORD.findall(entry.key)
@@ -338,7 +330,7 @@ def declare_arguments(files: Mapping[str, Body], main: str, program: XacroProgra
         program: the robot that they were made of.
     """
     sections = files[main]
-    names = {_variable(name): name for name in program.arguments}
+    names = {name.replace("-", "_"): name for name in program.arguments}
     variables = _root_variables(sections)
     if variables is None or not names or len(names) < len(program.arguments):
         return False
@@ -360,7 +352,21 @@ def declare_arguments(files: Mapping[str, Body], main: str, program: XacroProgra
     _add_help(entries, found, variables)
     for name in found:
         _drop_alias(name, files, main)
-    shared = _replace(sections, variables, entries, found)
+    # put arguments in the place of variables; `shared` are those that other files read
+    taken = {id(entry) for entry in entries}
+    section = Body(found.values())
+    section.opening, variables.opening = variables.opening, ""
+    variables.entries = [entry for entry in variables if id(entry) not in taken]
+    index = next(at for at, entry in enumerate(sections.entries) if entry.value is variables)
+    old = sections.entries[index]
+    new = Entry("arguments", section, old.comment)
+    if variables:
+        old.comment = ""
+        sections.entries.insert(index, new)
+    else:
+        new.ending = old.ending
+        sections.entries[index] = new
+    shared = [Entry(stem_of(entry)) for entry in entries if entry.key != stem_of(entry)]
     passed = {entry.key for entry in shared if pass_on(entry.key, files, main)}
     _hand_on(sections, [entry for entry in shared if entry.key not in passed])
     return True
@@ -384,10 +390,6 @@ def truths_declared(files: Mapping[str, Body], main: str) -> set[str]:
             elif entry.key == "variables" and isinstance(entry.value, Body):
                 truths -= {stem_of(own) for own in entry.value if own.value != f"$({stem_of(own)})"}
     return truths
-
-
-def _variable(name: str) -> str:
-    return name.replace("-", "_")
 
 
 def _root_variables(sections: Body) -> Body | None:
@@ -421,8 +423,14 @@ def _value_of(entry: Entry, program: XacroProgram, name: str, uses: Uses) -> Bod
     argument = program.arguments[name]
     kinds = {_kind_of(guess_value(value)) for value in program.values_tried(name)}
     if not argument.defaults and name in program.given:
-        return _required(own, kinds, uses)
-    if _is_computed(default):
+        # what declares an argument without a default, which was given
+        if uses.is_text(own):
+            return _record(type=TEXT)
+        if len(kinds) == 1 and TEXT not in kinds:
+            return _record(type=kinds.pop())
+        return _record(help="to be given: it has no default")
+    pieces = [piece for piece in pieces_of(default) if piece[0]]
+    if len(pieces) == 1 and pieces[0][1] and not default.startswith("$(find "):
         return default  # of any type
     is_text = isinstance(default, Quoted) or not default
     kind = _kind_of(str(default) if is_text else type_plain(default))
@@ -436,23 +444,8 @@ def _value_of(entry: Entry, program: XacroProgram, name: str, uses: Uses) -> Bod
     return default
 
 
-def _required(name: str, kinds: set[str], uses: Uses) -> Body:
-    """Return what declares an argument without a default, which was given."""
-    if uses.is_text(name):
-        return _record(type=TEXT)
-    if len(kinds) == 1 and TEXT not in kinds:
-        return _record(type=kinds.pop())
-    return _record(help="to be given: it has no default")
-
-
 def _kind_of(value: object) -> str:
     return _KINDS.get(type(value), "")
-
-
-def _is_computed(default: str) -> bool:
-    """Return whether a default is one expression, which may give anything."""
-    pieces = [piece for piece in pieces_of(default) if piece[0]]
-    return len(pieces) == 1 and pieces[0][1] and not default.startswith("$(find ")
 
 
 def _record(**entries: str) -> Body:
@@ -495,26 +488,6 @@ def _is_help(comment: str) -> bool:
         and any(char.isalpha() for char in comment)
         and not any(mark in comment for mark in ("<", ">", "==", "--", "__", "**"))
     )
-
-
-def _replace(
-    sections: Body, variables: Body, entries: list[Entry], found: Mapping[str, Entry]
-) -> list[Entry]:
-    """Put arguments in the place of variables; return those that other files read."""
-    taken = {id(entry) for entry in entries}
-    section = Body(found.values())
-    section.opening, variables.opening = variables.opening, ""
-    variables.entries = [entry for entry in variables if id(entry) not in taken]
-    index = next(at for at, entry in enumerate(sections.entries) if entry.value is variables)
-    old = sections.entries[index]
-    new = Entry("arguments", section, old.comment)
-    if variables:
-        old.comment = ""
-        sections.entries.insert(index, new)
-    else:
-        new.ending = old.ending
-        sections.entries[index] = new
-    return [Entry(stem_of(entry)) for entry in entries if entry.key != stem_of(entry)]
 
 
 def _drop_alias(name: str, files: Mapping[str, Body], main: str) -> None:

@@ -18,6 +18,7 @@ from ..elements import (
     comments_at_ends,
     has_text,
     is_short,
+    name_of,
     needs_brackets,
     note_comments,
     tidy_text,
@@ -102,22 +103,12 @@ class FileWriter(ElementWriter):
         self.choices: set[int] = set()
         self.lost: list[tuple[Span, str, str]] = []
         self.translator = Translator(
-            self.variable,
-            self.is_namespace,
-            program.is_shown_as_truth,
-            program.truth_arguments,
-            program.numbers,
-            program.truth_texts,
+            program,
+            rename=self.variable,
+            argument=self.argument_name,
+            is_namespace=self.is_namespace,
+            data_folder=self._data_folder(),
         )
-        self.translator.argument = self.argument_name
-        self.translator.is_number = program.is_number
-        self.translator.is_text = program.is_text
-        self.translator.data_folder = self._data_folder()
-        self.translator.long_floats = program.runs.python.long_floats
-        self.translator.computed = program.computed
-        self.translator.copied = program.copied
-        self.translator.spelled = program.spelled
-        self.translator.is_typed_argument = program.is_typed_argument
 
     def output_of(self, path: str) -> str:
         """Return the path of the source that a file becomes."""
@@ -203,19 +194,14 @@ class FileWriter(ElementWriter):
         if any(map(is_statement, (*link.elements(), *joint.iter()))):
             return False
         writer = self.part_writer()
-        frame = frames.take(writer.spelled(link), writer.spelled(joint), writer)
-        if frame is None:
-            return False
-        frame.comment, body.remark = joined(body.remark, frame.comment), ""
-        body.latest = frame
-        return True
+        return frames.take(writer.spelled(link), writer.spelled(joint), writer, body)
 
     def _note_part(self, step: Step, frames: Frames, body: Body) -> None:
         """Note the part that was written, into which frames below it go."""
         node = step.node
         last = body.entries[-1] if body.entries else None
         if isinstance(node, Element) and node.name == "link" and last is not None:
-            frames.begin(last, self._translate(format_value(node.attributes.get("name"))))
+            frames.begin(last, self._translate(name_of(node)))
         else:
             frames.begin(None)
 
@@ -339,7 +325,7 @@ class FileWriter(ElementWriter):
             return self.body(children)
 
     def _translate(self, text: str) -> str:
-        return self.translator.text(_tidied(text))
+        return self.translator.text(" ".join(text.split()) if "\n" in text else text)
 
     def _message(self, text: str) -> str | None:
         """Return what a text says to the user, if it does nothing else."""
@@ -360,7 +346,7 @@ class FileWriter(ElementWriter):
         rest: list[Node] = []
         for child in element.children:
             if isinstance(child, Element) and child.name == "xacro:attribute":
-                name = self.translator.text(format_value(child.attributes.get("name")))
+                name = self.translator.text(name_of(child))
                 attributes[name] = self.translator.text(format_value(child.attributes.get("value")))
             else:
                 rest.append(child)
@@ -375,11 +361,6 @@ def _write_element(writer: FileWriter, node: Element, body: Body) -> None:
     bracketed = "$(" in name or needs_brackets(name, attributes)
     key = writer.key(name, attributes, bracketed=bracketed)
     body.append(Entry(key, writer.content(node, children)))
-
-
-def _tidied(text: str) -> str:
-    """Return a text without line breaks between its words."""
-    return " ".join(text.split()) if "\n" in text else text
 
 
 _HANDLERS: dict[str, Callable[[FileWriter, Element, Body], None]] = {
@@ -422,7 +403,20 @@ def in_order(nodes: list[Node], endings: Endings, program: XacroProgram) -> list
     away = {id(element) for row in moved.values() for element in row}
     result: list[Node] = []
 
-    groups = _with_comments(nodes, endings)
+    # each element with what is around it, by identity, and what comes last under 0
+    groups: dict[int, list[Node]] = {}
+    above: list[Node] = []
+    latest: list[Node] = []
+    for each in nodes:
+        if isinstance(each, Element):
+            latest = groups[id(each)] = [*above, each]
+            above = []
+        elif latest and endings.get(id(each)) == "following":
+            latest += [*above, each]
+            above = []
+        else:
+            above.append(each)
+    groups[0] = above
 
     def put(node: Node) -> None:
         result.extend(groups[id(node)])
@@ -433,24 +427,6 @@ def in_order(nodes: list[Node], endings: Endings, program: XacroProgram) -> list
         if id(element) not in away:
             put(element)
     return result + groups[0]
-
-
-def _with_comments(nodes: list[Node], endings: Endings) -> dict[int, list[Node]]:
-    """Return each element with what is around it, by identity, and what comes last under 0."""
-    groups: dict[int, list[Node]] = {}
-    above: list[Node] = []
-    latest: list[Node] = []
-    for node in nodes:
-        if isinstance(node, Element):
-            latest = groups[id(node)] = [*above, node]
-            above = []
-        elif latest and endings.get(id(node)) == "following":
-            latest += [*above, node]
-            above = []
-        else:
-            above.append(node)
-    groups[0] = above
-    return groups
 
 
 def _is_lazy(element: Element) -> bool:
@@ -482,7 +458,7 @@ def _last_needed(
     program: XacroProgram,
 ) -> Element | None:
     """Return the last of the elements below that a property needs, if it needs one."""
-    own = format_value(element.attributes.get("name"))
+    own = name_of(element)
     known = set().union(*(defined[id(each)] for each in before))
     needed = names_in(format_value(element.attributes["value"])) - known - {own}
     last = None
