@@ -4,20 +4,20 @@ from __future__ import annotations
 
 from ..model.extras import CAMERAS, Ranger
 from ..model.joint import SINGLE, UNLIMITED
+from ..model.schema import ELEMENTS, RECORDS
 from .gains import EFFORT, VELOCITY
+from .holding import SRDF_HINT, lost_fields
 from .output import APPROXIMATED, LOST, RENAMED, Loss
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Collection, Container
+    from collections.abc import Container, Mapping
 
     from ..model.extras import Actuator, Noted, Sensor
     from ..model.joint import Joint
     from ..model.robot import Robot
     from ..model.values import Written
-
-SRDF_HINT = "--to srdf writes them"
-RATES = ("acceleration", "deceleration", "jerk")
+    from .holding import Missing
 
 
 # --- sections -----------------------------------------------------------------------------------
@@ -75,28 +75,29 @@ def leader_of(robot: Robot, joint: Joint) -> Joint | None:
 
 def lost_of_joints(
     robot: Robot,
+    format: str,
     *,
-    has_velocity: bool = False,
-    has_mimic: bool = False,
+    has_mimic: bool = True,
     has_dynamics: Container[str] = (),
     mimic_hint: str = "",
 ) -> list[Loss]:
-    """Return what a format has no place for in the joints of the tree.
+    """Return what a format has no place for in the joints of the tree, as its rows say.
 
     Args:
         robot: the robot.
-        has_velocity: whether it has limits of velocity.
-        has_mimic: whether it has joints that follow others.
+        format: the format.
+        has_mimic: whether this version of it has joints that follow others, if the format has.
         has_dynamics: which types of joints of no or several numbers have damping and friction.
         mimic_hint: what to do about joints that follow others.
     """
-    rates = RATES if has_velocity else ("velocity", *RATES)
+    lost = {part: lost_fields(format, part) for part in RECORDS}
+    has_mimic = has_mimic and not lost["mimic"]
     found: list[Loss] = []
     for joint in robot.joints.values():
         if robot.parent_joint(joint.child) is not joint:
             continue  # all of it is lost
         if joint.type in SINGLE:
-            found += _lost_rates(joint, rates)
+            found += _lost_limits(joint, lost["limit"])
         else:
             found += _lost_numbers(joint, has_dynamics=joint.type in has_dynamics)
         if joint.mimic is not None and leader_of(robot, joint) is None:
@@ -104,21 +105,26 @@ def lost_of_joints(
             found.append(_lost_in(joint, joint.mimic, what))
         elif joint.mimic is not None and not has_mimic:
             found.append(_lost_in(joint, joint.mimic, "mimic joints", hint=mimic_hint))
-        if joint.safety_controller is not None:
-            found.append(_lost_in(joint, joint.safety_controller, "soft limits"))
-        if joint.calibration is not None:
-            found.append(_lost_in(joint, joint.calibration, "calibrations"))
+        for name, part in (
+            ("safety_controller", joint.safety_controller),
+            ("calibration", joint.calibration),
+        ):
+            if part is not None:  # all of it is lost as one
+                found += [
+                    _lost_in(joint, part, what)
+                    for what in dict.fromkeys(each.what for each in lost[name].values())
+                ]
     return found
 
 
-def _lost_rates(joint: Joint, rates: Collection[str]) -> list[Loss]:
-    """Return the losses of limits on how fast a joint moves."""
+def _lost_limits(joint: Joint, lost: Mapping[str, Missing]) -> list[Loss]:
+    """Return the losses of values of a limit; those that limit nothing are none."""
     limit = joint.limit
     if limit is None:
         return []
-    given = {name: limit.number(name) for name in rates}
+    given = {name: limit.number(name) for name in lost}
     return [
-        _lost_in(joint, limit, f"{name} limits", attribute=name)
+        _lost_in(joint, limit, lost[name].what, attribute=name)
         for name, value in given.items()
         if value is not None and abs(value) < UNLIMITED
     ]
@@ -128,8 +134,7 @@ def _lost_numbers(joint: Joint, *, has_dynamics: bool) -> list[Loss]:
     """Return the losses of numbers that a joint has no use for; zeros mean nothing there."""
     found = []
     limit, dynamics = joint.limit, joint.dynamics
-    names = ("lower", "upper", "effort", "velocity", *RATES)
-    if limit is not None and any(map(limit.number, names)):
+    if limit is not None and any(map(limit.number, ELEMENTS["limit"].fields)):
         found.append(_lost_in(joint, limit, f"limits of {joint.type} joints"))
     if dynamics is not None and not has_dynamics and (dynamics.damping or dynamics.friction):
         found.append(_lost_in(joint, dynamics, f"damping and friction of {joint.type} joints"))
@@ -191,16 +196,14 @@ def renamed_sensors(robot: Robot, *, but: Container[str] = ()) -> list[Loss]:
     ]
 
 
-def lost_of_sensor(sensor: Sensor) -> list[Loss]:
-    """Return what a format has no place for that only knows what a sensor measures, and where."""
-    given = (
-        ("rates of sensors", "rate", sensor.rate is not None),
-        ("topics of sensors", "topic", sensor.topic is not None),
-        ("noise of cameras", "noise", bool(sensor.noise) and sensor.type in CAMERAS),
-    )
-    return [
-        lost_in_sensor(sensor, what, attribute) for what, attribute, is_given in given if is_given
-    ]
+def lost_of_sensor(sensor: Sensor, format: str) -> list[Loss]:
+    """Return what a format has no place for in what all sensors have; cameras have no noise."""
+    lost = {name: missing.what for name, missing in lost_fields(format, "sensor").items()}
+    given = [name for name in lost if getattr(sensor, name) is not None]
+    found = [lost_in_sensor(sensor, lost[name], name) for name in given]
+    if sensor.noise and sensor.type in CAMERAS:
+        found.append(lost_in_sensor(sensor, "noise of cameras", "noise"))
+    return found
 
 
 def cones(robot: Robot, *, but: Container[str] = ()) -> list[Loss]:

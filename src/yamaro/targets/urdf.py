@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ..diagnostics import Reporter
 from .gazebo import with_gazebo
+from .holding import lost_fields
 from .output import APPROXIMATED, LOST, Loss, Output
 from .shared_losses import cones, lost_sections
 
@@ -13,14 +14,6 @@ if TYPE_CHECKING:
     from ..model.robot import Robot
     from .output import Wanted
 
-OF_ACTUATORS = {
-    "kp": "gains of actuators",
-    "kd": "gains of actuators",
-    "armature": "armatures of actuators",
-    "gear": "gears of actuators",
-}
-"""What ros2_control has no place for; gears are in the transmissions of a block."""
-GEAR_HINT = "`transmissions: true` in the section `control` writes them"
 GAZEBO_HINT = "--gazebo also writes it for Gazebo"
 
 
@@ -66,10 +59,15 @@ def write(robot: Robot, wanted: Wanted) -> Output:
         if actuator.joint not in driven:
             losses.append(_loss("actuators", owner, actuator, hint="add a section `control`"))
             continue
-        for name, what in OF_ACTUATORS.items():
+        for name, missing in lost_fields("urdf", "actuator").items():
             if actuator.number(name) is not None and not (name == "gear" and owner in geared):
-                span, hint = actuator.span_of(name), GEAR_HINT if name == "gear" else ""
-                losses.append(Loss(LOST, what, owner, span, trace=actuator.trace, hint=hint))
+                losses.append(
+                    Loss(
+                        *(LOST, missing.what, owner, actuator.span_of(name)),
+                        trace=actuator.trace,
+                        hint=missing.hint,
+                    )
+                )
     losses += lost_sections(robot, states=True)
     if robot.base is not None and robot.base.type == "free":
         losses.append(_loss("free bases", f"robot '{robot.name}'", robot.base))

@@ -17,7 +17,7 @@ OF_SEVERAL = (PLANAR, FLOATING)
 def lose_leftovers(writing: Writing) -> None:
     """Report parts of joints, names of sensors, sections, and XML of other programs."""
     robot = writing.robot
-    writing.losses += lost_of_joints(robot, has_mimic=True, has_dynamics=OF_SEVERAL)
+    writing.losses += lost_of_joints(robot, "mjcf", has_dynamics=OF_SEVERAL)
     writing.losses += renamed_sensors(robot)
     writing.losses += cones(robot)
     writing.losses += lost_sections(robot, controls=True)

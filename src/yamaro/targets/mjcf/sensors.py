@@ -41,7 +41,7 @@ def add_sensors(writing: Writing) -> None:
         else:
             _lose(writing, sensor, LOST, "sensors in frames that are not there")
             continue
-        writing.losses += lost_of_sensor(sensor)
+        writing.losses += lost_of_sensor(sensor, "mjcf")
 
 
 def _in_link(writing: Writing, sensor: Sensor) -> None:

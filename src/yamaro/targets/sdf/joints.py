@@ -44,9 +44,7 @@ class JointWriter:
         self._names = names
         self._has_mimic = version != "1.9"
         self.losses = losses
-        losses += lost_of_joints(
-            robot, has_velocity=True, has_mimic=self._has_mimic, mimic_hint=MIMIC_HINT
-        )
+        losses += lost_of_joints(robot, "sdf", has_mimic=self._has_mimic, mimic_hint=MIMIC_HINT)
 
     def tag(
         self,

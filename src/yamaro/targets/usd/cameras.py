@@ -46,4 +46,4 @@ def add_cameras(
         camera.CreateFocalLengthAttr(APERTURE / (2 * tan(details.fov / 2)))
         camera.CreateClippingRangeAttr(Gf.Vec2f(*details.clip))
         losses.append(lost_in_sensor(sensor, "sizes of cameras in pixels", "size"))
-        losses += lost_of_sensor(sensor)
+        losses += lost_of_sensor(sensor, "usd")

@@ -13,7 +13,9 @@ from pxr import Gf, Sdf, Usd, UsdPhysics
 from ...model.joint import CONTINUOUS, FIXED, FLOATING, PLANAR, PRISMATIC, SINGLE
 from ...model.kinematics import WORLD
 from ...model.pose import Pose, multiply, rotation_about, rotation_from_z
+from ...model.schema import ACTUATOR, ELEMENTS
 from ..gains import POSITION, VELOCITY, Gains
+from ..holding import lost_fields
 from ..output import APPROXIMATED, LOST, Loss
 from ..shared_losses import lost_of_actuator, lost_of_joints
 from .poses import quaternion_of
@@ -25,6 +27,7 @@ if TYPE_CHECKING:
     from ...model.link import Link
     from ...model.pose import Rotation, Vector
     from ...model.robot import Robot
+    from ...model.schema import Thing
     from ...model.values import Written
     from ...source import Span
     from ..bodies import Bodies
@@ -78,7 +81,7 @@ class JointWriter:
         self._chosen = Gains(robot, is_fixed=is_fixed, has_armature=False)
         self._folder = names.new(root, "joints")
         self.tags: list[Tag] = []
-        self.losses: list[Loss] = lost_of_joints(robot)
+        self.losses: list[Loss] = lost_of_joints(robot, "usd")
 
     def write(self) -> None:
         """Write all joints, with those that fix the roots in the world, and those of loops."""
@@ -196,15 +199,17 @@ class JointWriter:
     def _lose_parts(self, joint: Joint) -> None:
         """Note what only USD has no place for."""
         dynamics, actuator = joint.dynamics, self._robot.actuators.get(joint.name)
-        if dynamics is not None and dynamics.friction and joint.type in SINGLE:
-            self._lose(joint, dynamics, "friction values of joints", "friction")
-        if actuator is None:
-            return
-        self.losses += lost_of_actuator(actuator)
-        if actuator.armature:
-            self._lose(joint, actuator, "armatures of actuators", "armature")
-        if actuator.gear != 1.0:
-            self._lose(joint, actuator, "gears of actuators", "gear")
+        if dynamics is not None and joint.type in SINGLE:
+            self._lose_values(joint, ELEMENTS["dynamics"], dynamics)
+        if actuator is not None:
+            self.losses += lost_of_actuator(actuator)
+            self._lose_values(joint, ACTUATOR, actuator)
+
+    def _lose_values(self, joint: Joint, thing: Thing, part: Written) -> None:
+        """Note the values that are lost, as the rows say; those that change nothing are none."""
+        for name, missing in lost_fields("usd", thing.name).items():
+            if getattr(part, name) not in (None, thing.fields[name].default or 0.0):
+                self._lose(joint, part, missing.what, name)
 
     def _lose(
         self,
@@ -247,7 +252,7 @@ class JointWriter:
         prim = LOOPS[loop.type].Define(self._stage, path)
         first, second = loop.between
         bodies, turn = self._bodies, Pose()
-        if loop.axis is not None:
+        if loop.axis is not None and loop.type != FIXED:  # which turns about none
             turn = Pose(_x_to(loop.axis))
             prim.CreateAxisAttr("X")
         self._connect(

@@ -1,0 +1,213 @@
+"""The table of losses: how each output format holds each field of the schema.
+
+A row is for one field of `model/schema.py`, with a cell for each format: the name by which the
+format holds the value, or the loss that is reported for it. What is lost whatever its value is
+reported by going through the rows; what is approximated, or lost under some conditions only, is
+reported by the writer that meets it, and the row says so. A test fails for a field without a row.
+SRDF is read with a URDF, so that it loses nothing that it does not say; it has no cells.
+"""
+
+from __future__ import annotations
+
+from ..model.schema import COLLISIONS, CONTROL, GROUP
+from .output import APPROXIMATED, LOST
+
+FORMATS = ("urdf", "sdf", "mjcf", "usd")
+"""The formats of the cells of a row, in their order."""
+
+
+class Missing:
+    """The cell of a field that a format does not hold as it is.
+
+    Attributes:
+        kind: LOST or APPROXIMATED.
+        what: what is reported, in the plural.
+        hint: what to write instead, or "".
+        is_conditional: whether some values of it are held.
+    """
+
+    __slots__ = ("hint", "is_conditional", "kind", "what")
+
+    def __init__(
+        self, kind: str, what: str, *, hint: str = "", is_conditional: bool = False
+    ) -> None:
+        self.kind = kind
+        self.what = what
+        self.hint = hint
+        self.is_conditional = is_conditional
+
+
+Cell = str | Missing
+
+
+def _lost(what: str, hint: str = "") -> Missing:
+    return Missing(LOST, what, hint=hint)
+
+
+def _partly(kind: str, what: str) -> Missing:
+    return Missing(kind, what, is_conditional=True)
+
+
+SRDF_HINT = "--to srdf writes them"
+GEAR_HINT = "`transmissions: true` in the section `control` writes them"
+_SENSORS = _partly(APPROXIMATED, "sensors")
+_NO_SURFACE = _partly(LOST, "surfaces")
+_SOFT = _lost("soft limits")
+_CALIBRATION = _lost("calibrations")
+_RATES = _lost("rates of sensors")
+_TOPICS = _lost("topics of sensors")
+_GROUPS = _lost("groups", SRDF_HINT)
+_COLLISIONS = _lost("`collisions` sections", SRDF_HINT)
+_CONTROLS = _lost("blocks of ros2_control")
+_ACTUATORS = _lost("actuators")
+_GAINS = _lost("gains of actuators")
+_CONES = _partly(APPROXIMATED, "cones of range sensors")
+_MIMICS = _lost("mimic joints")
+_LIDARS = _lost("lidar sensors")
+_RANGES = _lost("range sensors")
+
+ROWS: dict[str, tuple[Cell, Cell, Cell, Cell]] = {
+    # field: URDF, SDF, MJCF, USD
+    "robot.name": ("name", "name", "model", "defaultPrim"),
+    "robot.version": ("version", "", "", ""),
+    "link.name": ("name", "name", "name", "name"),
+    "link.type": ("type", _lost("attributes"), _lost("attributes"), _lost("attributes")),
+    "visual.name": ("name", "name", "name", "name"),
+    "collision.name": ("name", "name", "name", "name"),
+    "mass.value": ("value", "mass", "mass", "physics:mass"),
+    **dict.fromkeys(
+        (f"inertia.{name}" for name in ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")),
+        ("inertia", "inertia", "fullinertia", "physics:diagonalInertia"),
+    ),
+    "origin.xyz": ("xyz", "pose", "pos", "xformOp:translate"),
+    "origin.rpy": ("rpy", "pose", "quat", "xformOp:orient"),
+    "origin.quat_xyzw": ("quat_xyzw", "pose", "quat", "xformOp:orient"),
+    "box.size": ("size", "size", "size", "xformOp:scale"),
+    "cylinder.radius": ("radius", "radius", "size", "radius"),
+    "cylinder.length": ("length", "length", "size", "height"),
+    "sphere.radius": ("radius", "radius", "size", "radius"),
+    "capsule.radius": ("radius", "radius", "size", "radius"),
+    "capsule.length": ("length", "length", "size", "height"),
+    "mesh.filename": ("filename", "uri", "file", "points"),
+    "mesh.scale": ("scale", "scale", "scale", "points"),
+    "material.name": ("name", _lost("names of materials"), "name", "name"),
+    "color.rgba": ("rgba", "diffuse", "rgba", "inputs:diffuseColor"),
+    "texture.filename": ("filename", "albedo_map", "file", _lost("textures")),
+    "joint.name": ("name", "name", "name", "name"),
+    "joint.type": ("type", "type", "type", "type"),
+    "parent.link": ("link", "parent", "body", "physics:body0"),
+    "child.link": ("link", "child", "body", "physics:body1"),
+    "axis.xyz": ("xyz", "xyz", "axis", "physics:localRot0"),
+    "limit.lower": ("lower", "lower", "range", "physics:lowerLimit"),
+    "limit.upper": ("upper", "upper", "range", "physics:upperLimit"),
+    "limit.effort": ("effort", "effort", "actuatorfrcrange", "maxForce"),
+    "limit.velocity": (
+        *("velocity", "velocity"),
+        *(_lost("velocity limits"), _lost("velocity limits")),
+    ),
+    **{
+        f"limit.{name}": (name, lost, lost, lost)
+        for name in ("acceleration", "deceleration", "jerk")
+        for lost in [_lost(f"{name} limits")]
+    },
+    "dynamics.damping": (
+        *("damping", "damping", "damping"),
+        _partly(APPROXIMATED, "damping values of joints"),
+    ),
+    "dynamics.friction": (
+        *("friction", "friction", "frictionloss"),
+        _lost("friction values of joints"),
+    ),
+    "mimic.joint": ("joint", "joint", "joint1", _MIMICS),
+    "mimic.multiplier": ("multiplier", "multiplier", "polycoef", _MIMICS),
+    "mimic.offset": ("offset", "offset", "polycoef", _MIMICS),
+    **{
+        f"safety_controller.{name}": (name, _SOFT, _SOFT, _SOFT)
+        for name in ("soft_lower_limit", "soft_upper_limit", "k_position", "k_velocity")
+    },
+    **{
+        f"calibration.{name}": (name, _CALIBRATION, _CALIBRATION, _CALIBRATION)
+        for name in ("rising", "falling", "reference_position")
+    },
+    "actuator.command": ("command_interface", _ACTUATORS, "class", "stiffness"),
+    "actuator.kp": (_GAINS, _ACTUATORS, "kp", "stiffness"),
+    "actuator.kd": (_GAINS, _ACTUATORS, "kv", "damping"),
+    "actuator.armature": (
+        *(_lost("armatures of actuators"), _ACTUATORS, "armature"),
+        _lost("armatures of actuators"),
+    ),
+    "actuator.gear": (
+        *(_lost("gears of actuators", GEAR_HINT), _ACTUATORS, "gear"),
+        _lost("gears of actuators"),
+    ),
+    "surface.friction": (_NO_SURFACE, "mu", "friction", "physics:dynamicFriction"),
+    "surface.friction2": (
+        *(_NO_SURFACE, "mu2", _lost("second coefficients of friction")),
+        _lost("second coefficients of friction"),
+    ),
+    "surface.restitution": (
+        *(_NO_SURFACE, "restitution_coefficient"),
+        *(_partly(APPROXIMATED, "restitutions of surfaces"), "physics:restitution"),
+    ),
+    "surface.stiffness": (
+        *(_NO_SURFACE, "kp", _partly(APPROXIMATED, "stiffness of contacts")),
+        _lost("stiffness of contacts"),
+    ),
+    "surface.damping": (
+        *(_NO_SURFACE, "kd", _partly(APPROXIMATED, "damping of contacts")),
+        _lost("damping of contacts"),
+    ),
+    "sensor.type": (_SENSORS, "type", "sensor", _partly(LOST, "sensors")),
+    "sensor.rate": (_SENSORS, "update_rate", _RATES, _RATES),
+    "sensor.noise": (
+        *(_SENSORS, _partly(LOST, "noise of contact sensors")),
+        *(_partly(LOST, "noise of cameras"), _partly(LOST, "noise of cameras")),
+    ),
+    "sensor.topic": (_SENSORS, "topic", _TOPICS, _TOPICS),
+    "lidar.rays": (_SENSORS, "samples", "rangefinder", _LIDARS),
+    "lidar.angle": (_SENSORS, "min_angle", "rangefinder", _LIDARS),
+    "lidar.range": (_SENSORS, "min", "cutoff", _LIDARS),
+    "lidar.rows": (_SENSORS, "samples", "rangefinder", _LIDARS),
+    "lidar.tilt": (_SENSORS, "min_angle", "rangefinder", _LIDARS),
+    **dict.fromkeys(
+        ("camera.size", "depth_camera.size"),
+        (_SENSORS, "width", "resolution", _lost("sizes of cameras in pixels")),
+    ),
+    **dict.fromkeys(
+        ("camera.fov", "depth_camera.fov"),
+        (_SENSORS, "horizontal_fov", "fovy", "focalLength"),
+    ),
+    **dict.fromkeys(
+        ("camera.clip", "depth_camera.clip"),
+        (_SENSORS, "near", _lost("clip distances of cameras"), "clippingRange"),
+    ),
+    "range.range": (_SENSORS, "min", "cutoff", _RANGES),
+    "range.fov": (_SENSORS, _CONES, _CONES, _RANGES),
+    **{
+        f"loop.{name}": (_lost("loops"), _partly(APPROXIMATED, "loops"), "equality", "joint")
+        for name in ("name", "type", "between", "axis")
+    },
+    **{f"group.{name}": (_GROUPS,) * 4 for name in GROUP.fields},
+    **{f"collisions.{name}": (_COLLISIONS,) * 4 for name in COLLISIONS.fields},
+    **{
+        f"control.{name}": ("ros2_control", _CONTROLS, _CONTROLS, _CONTROLS)
+        for name in CONTROL.fields
+    },
+}
+"""The rows by `thing.field`."""
+
+
+def cell(format: str, thing: str, field: str) -> Cell:
+    """Return how a format holds a field: the name it has there, or the loss."""
+    return ROWS[f"{thing}.{field}"][FORMATS.index(format)]
+
+
+def lost_fields(format: str, thing: str) -> dict[str, Missing]:
+    """Return the fields of a thing that a format loses whatever they are, each with the loss."""
+    found = {}
+    for name, cells in ROWS.items():
+        owner, _, field = name.partition(".")
+        own = cells[FORMATS.index(format)]
+        if owner == thing and isinstance(own, Missing) and not own.is_conditional:
+            found[field] = own
+    return found
