@@ -301,6 +301,7 @@ def test_threads_give_the_same_bytes_as_one(folder: Path) -> None:
         (f"length:={0.1 + index % 20 / 10:.1f}", f"count:={index % 7}", f"name:=p{index}")
         for index in range(200)
     ]
+    before = set(sys.modules)  # other tests of this process may have left some
     in_sequence = [yamaro.convert("pendulum.yaml", *job) for job in jobs]
     assert len(set(in_sequence)) == len(jobs)
     limit = sys.getrecursionlimit()
@@ -308,8 +309,8 @@ def test_threads_give_the_same_bytes_as_one(folder: Path) -> None:
         in_parallel = list(pool.map(lambda job: yamaro.convert("pendulum.yaml", *job), jobs))
     assert in_parallel == in_sequence
     assert sys.getrecursionlimit() == limit
-    left = {name for name in sys.modules if name == "shapes" or name.startswith("_yamaro")}
-    assert left == set()
+    new = set(sys.modules) - before
+    assert {name for name in new if name == "shapes" or name.startswith("_yamaro")} == set()
 
 
 def test_threads_keep_their_messages_apart(folder: Path) -> None:

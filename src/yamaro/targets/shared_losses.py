@@ -118,7 +118,7 @@ def lost_of_joints(
 
 
 def _lost_limits(joint: Joint, lost: Mapping[str, Missing]) -> list[Loss]:
-    """Return the losses of values of a limit; those that limit nothing are none."""
+    """Return the losses of values of a limit, unless they limit nothing."""
     limit = joint.limit
     if limit is None:
         return []

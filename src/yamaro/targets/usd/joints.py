@@ -206,7 +206,7 @@ class JointWriter:
             self._lose_values(joint, ACTUATOR, actuator)
 
     def _lose_values(self, joint: Joint, thing: Thing, part: Written) -> None:
-        """Note the values that are lost, as the rows say; those that change nothing are none."""
+        """Note the values that are lost, as the rows say, unless they change nothing."""
         for name, missing in lost_fields("usd", thing.name).items():
             if getattr(part, name) not in (None, thing.fields[name].default or 0.0):
                 self._lose(joint, part, missing.what, name)
