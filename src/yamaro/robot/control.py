@@ -12,7 +12,7 @@ from ..model.schema import CONTROL
 from ..xml.tree import Element, Text
 from ..xml.values import format_value
 from .fields import read_value, word_of
-from .notes import TRUTHS, RobotNote, check_keys, entries_of, given_once, names_in, one_of
+from .notes import RobotNote, check_keys, entries_of, given_once, names_in, one_of, place_of
 from .numbers import negated
 
 TYPE_CHECKING = False
@@ -25,8 +25,7 @@ if TYPE_CHECKING:
 
     Patterns = list[tuple[str, Span]]
 
-TYPES = CONTROL.fields["type"].choices
-SENSOR_TYPE = TYPES[2]
+SENSOR_TYPE = CONTROL.fields["type"].choices[2]
 PLUGIN = "mock_components/GenericSystem"
 """The plugin in examples: it mirrors commands to states, without hardware."""
 
@@ -86,18 +85,12 @@ def _read(lowering: Lowering, word: RobotWord) -> PendingControl:
                 _gpio(lowering, pin) for pin in entries_of(key, "gpio: {lamp: {command: on}}")
             ]
         elif name not in ("joints", "sensors"):
-            note.attributes[name] = _word(key)
+            choices = CONTROL.fields[name].choices
+            given = one_of(key, choices) if choices else word_of(name, *read_value(key), owner=key)
+            note.attributes[name] = given
             places[name] = read_value(key)[1]
     patterns = (names_in(keys[name]) if name in keys else None for name in ("joints", "sensors"))
     return PendingControl(note, *patterns)
-
-
-def _word(key: Element) -> str:
-    if key.name == "type":
-        return one_of(key, TYPES)
-    if key.name == "transmissions":
-        return one_of(key, TRUTHS)
-    return word_of(key.name, *read_value(key), owner=key)
 
 
 def _params(key: Element) -> Element:
@@ -336,7 +329,7 @@ class ControlWriter:
         for child in control.elements():
             if child.name == "params":
                 hardware.children += [
-                    made.param(key.name, key.text().strip(), _text_span(key))
+                    made.param(key.name, key.text().strip(), place_of(key))
                     for key in child.elements()
                 ]
         for child in control.elements():
@@ -484,10 +477,6 @@ class _Maker:
         made = self.text("param", text, span)
         made.attributes["name"] = name
         return made
-
-
-def _text_span(key: Element) -> Span:
-    return next((each.span for each in key.children if isinstance(each, Text)), key.span)
 
 
 def _number(limit: Element, name: str, default: str | None) -> _Placed | None:

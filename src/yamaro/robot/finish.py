@@ -108,7 +108,11 @@ def _refuse_names_twice(lowering: Lowering, notes: Iterable[RobotNote]) -> None:
         if kind is None:
             continue
         first = seen.setdefault((kind, name), note)
-        if first is not note and not _have_own_frames(first, note):
+        # Sensors that both have frames of their name are reported as links.
+        have_frames = all(
+            n.attributes.get("frame") == n.attributes.get("name") for n in (first, note)
+        )
+        if first is not note and not have_frames:
             lowering.absorb(
                 failure(
                     "duplicate-name",
@@ -139,11 +143,6 @@ def _check_groups(lowering: Lowering, groups: list[RobotNote]) -> None:
                 )
 
 
-def _have_own_frames(one: RobotNote, other: RobotNote) -> bool:
-    """Return whether both are sensors with frames of their name: those are reported as links."""
-    return all(each.attributes.get("frame") == each.attributes.get("name") for each in (one, other))
-
-
 def _check(lowering: Lowering, names: _Names, note: RobotNote) -> None:
     """Record what a note says of links and joints that the robot does not have."""
     if note.name == "state":
@@ -157,10 +156,19 @@ def _check(lowering: Lowering, names: _Names, note: RobotNote) -> None:
                 _check_joint(lowering, names, each)
             elif attribute in _LINK_ATTRIBUTES and value not in names.links:
                 _unknown_link(lowering, each, attribute, names.links)
-        if each.name == "chain" and _is_known(names, each):
+        if each.name == "chain":
             base, tip = str(each.attributes["base_link"]), str(each.attributes["tip_link"])
-            if not names.has_chain(base, tip):
-                lowering.absorb(_no_chain(each, base, tip))
+            is_known = base in names.links and tip in names.links
+            if is_known and not names.has_chain(base, tip):
+                lowering.absorb(
+                    failure(
+                        "not-a-chain",
+                        f"no joints lead from '{base}' down to '{tip}'",
+                        each.value_span("tip_link"),
+                        hint="name the link at the base first, and one of those below it last",
+                        trace=each.trace,
+                    )
+                )
     if note.name == "robot-loop":
         _error(
             lowering,
@@ -172,24 +180,9 @@ def _check(lowering: Lowering, names: _Names, note: RobotNote) -> None:
         )
 
 
-def _no_chain(chain: Element, base: str, tip: str) -> YamaroError:
-    return failure(
-        "not-a-chain",
-        f"no joints lead from '{base}' down to '{tip}'",
-        chain.value_span("tip_link"),
-        hint="name the link at the base first, and one of those below it last",
-        trace=chain.trace,
-    )
-
-
 _LINK_ATTRIBUTES = frozenset(
     ("link", "parent_link", "base_link", "tip_link", "frame", "frame_1", "frame_2")
 ) | {"link_1", "link_2"}
-
-
-def _is_known(names: _Names, chain: Element) -> bool:
-    ends = (chain.attributes["base_link"], chain.attributes["tip_link"])
-    return all(end in names.links for end in ends)
 
 
 def _refuse_twice(lowering: Lowering, state: RobotNote) -> None:
@@ -211,35 +204,27 @@ def _refuse_twice(lowering: Lowering, state: RobotNote) -> None:
             )
 
 
-def _fits_joint(lowering: Lowering, value: Element, joint: Element) -> bool:
-    """Return whether the unit of a position is one for the joint; else record it."""
-    written = value.attributes.get("written")
-    if written is None:
-        return True
-    lowering.joint_type = format_value(joint.attributes.get("type"))
-    span = value.value_span("value")
-    try:
-        read_numbers(
-            lowering,
-            str(written),
-            span,
-            count=1,
-            name=name_of(joint),
-            trace=value.trace,
-            kind="position",
-        )
-    except YamaroError as error:
-        lowering.absorb(error)
-        return False
-    return True
-
-
 def _check_state(lowering: Lowering, names: _Names, value: Element) -> None:
     if not _check_joint(lowering, names, value):
         return
     joint = names.joints[str(value.attributes["joint"])]
-    if not _fits_joint(lowering, value, joint):
-        return
+    written = value.attributes.get("written")
+    if written is not None:  # its unit has to be one for the joint
+        lowering.joint_type = format_value(joint.attributes.get("type"))
+        span, name = value.value_span("value"), name_of(joint)
+        try:
+            read_numbers(
+                lowering,
+                str(written),
+                span,
+                count=1,
+                name=name,
+                trace=value.trace,
+                kind="position",
+            )
+        except YamaroError as error:
+            lowering.absorb(error)
+            return
     limit = next((each for each in joint.elements() if each.name == "limit"), None)
     if limit is None or joint.attributes.get("type") not in LIMITED:
         return

@@ -132,11 +132,15 @@ def read_geometry(
     spans: dict[str, Span] = {}
     first = sizes[0] if sizes else None
     if first is not None and first.name == "scale" and len(sizes) == 1:
-        scale = _read_scale(lowering, first, kind, spans)
+        value, place = read_value(first)
+        spans = dict.fromkeys(SIZES.get(kind, ("scale",)), place)
+        name, count = f"scale of a {kind}", COUNTS.get(kind, 3)
+        scale = read_numbers(lowering, value, place, count=count, name=name, trace=first.trace)
     elif sizes:
         scale = _read_sizes(lowering, kind, sizes, spans)
     elif kind != "mesh":
         notes = []
+        shape = SIMPLE_SHAPES[kind]
         if link_sizes:
             own = link_sizes[0]
             notes.append(
@@ -146,27 +150,13 @@ def read_geometry(
             "missing-scale",
             f"the geometry '{word}' has no scale",
             key.span,
-            hint=f"write it beside 'geometry', as {_scale_example(kind)}",
+            hint=f"write it beside 'geometry', as scale: {shape.example} ({' '.join(shape.sizes)})",
             notes=notes,
             trace=key.trace,
         )
     if kind == "capsule" and not lowering.has_capsule:
         _warn_of_capsule(lowering, key, span)
     return Geometry(key, kind=kind, word=word, span=span, scale=scale, spans=spans)
-
-
-def _read_scale(lowering: Lowering, key: Element, kind: str, spans: dict[str, Span]) -> Numbers:
-    """Return the numbers of `scale`, and note where they are written."""
-    value, span = read_value(key)
-    spans.update(dict.fromkeys(SIZES.get(kind, ("scale",)), span))
-    return read_numbers(
-        lowering,
-        value,
-        span,
-        count=COUNTS.get(kind, 3),
-        name=f"scale of a {kind}",
-        trace=key.trace,
-    )
 
 
 def _read_sizes(
@@ -245,30 +235,22 @@ def _read_shape_word(lowering: Lowering, key: Element) -> tuple[str, str, Span]:
     from ..fixes import respelling
 
     near = suggest(kind, COUNTS)
+    if near is not None:
+        hint = f"did you mean '{near}'?"
+    elif "." in word or "/" in word:
+        endings = " ".join(f".{ending}" for ending in MESH_ENDINGS)
+        hint = f"the extensions of mesh files are {endings}"
+    else:
+        shapes = ", ".join(SIMPLE_SHAPES)
+        hint = f"the shapes are {shapes}, and mesh files such as meshes/arm.stl"
     raise failure(
         "unknown-shape",
         f"'{word}' is neither a shape nor a mesh file",
         span,
-        hint=f"did you mean '{near}'?" if near else _shape_hint(word),
+        hint=hint,
         trace=key.trace,
         fix=respelling(span, word, near, is_safe=True),
     )
-
-
-def _shape_hint(word: str) -> str:
-    if "." in word or "/" in word:
-        from ..model.inertia import MESH_ENDINGS
-
-        endings = " ".join(f".{ending}" for ending in MESH_ENDINGS)
-        return f"the extensions of mesh files are {endings}"
-    words = ", ".join(SIMPLE_SHAPES)
-    return f"the shapes are {words}, and mesh files such as meshes/arm.stl"
-
-
-def _scale_example(kind: str) -> str:
-    """Return a scale to show for a simple shape, with what its numbers are."""
-    shape = SIMPLE_SHAPES[kind]
-    return f"scale: {shape.example} ({' '.join(shape.sizes)})"
 
 
 def _refuse_urdf_form(lowering: Lowering, key: Element) -> None:

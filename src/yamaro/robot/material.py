@@ -58,7 +58,9 @@ def lower_material(lowering: Lowering, key: Element) -> Element:
     taken = _taken_details(record)
     details[:0] = taken
     value = record.values.pop("name")
-    if value == "" and any(_is_look(detail) for detail in details):
+    if value == "" and any(
+        isinstance(each, Element) and each.name in ("color", "texture") for each in details
+    ):
         # exporters leave the name empty, and the colour says it all
         name = ""
     else:
@@ -104,10 +106,6 @@ def _split(lowering: Lowering, key: Element) -> tuple[Record, list[Node]]:
         value_spans=key.value_spans,
     )
     return read_record(lowering, head, "name"), details
-
-
-def _is_look(detail: Node) -> bool:
-    return isinstance(detail, Element) and detail.name in ("color", "texture")
 
 
 def _taken_details(record: Record) -> list[Element]:

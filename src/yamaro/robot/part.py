@@ -293,7 +293,8 @@ def _lower_each(lowering: Lowering, part: Element, out: list[Node]) -> None:
         else:
             _lower_link(lowering, node, names.link, out, beside)
     if "link" not in fields.keys:
-        out.append(_empty_link(lowering, part, fields, names))
+        span = fields.keys.get("name", part).span
+        out.append(Element("link", span, attributes={"name": names.link}, trace=lowering.trace))
     out += beside
     out += pending
 
@@ -314,11 +315,6 @@ def _lower_link(
         from .extras import lower_surfaces
 
         lower_surfaces(lowering, surfaces, name, beside)
-
-
-def _empty_link(lowering: Lowering, part: Element, fields: Fields, names: PartNames) -> Element:
-    key = fields.keys.get("name", part)
-    return Element("link", key.span, attributes={"name": names.link}, trace=lowering.trace)
 
 
 def _lower_beside(lowering: Lowering, node: Element, out: list[Node]) -> None:
