@@ -28,10 +28,10 @@ if TYPE_CHECKING:
     from typing import Any
 
     from ..fixes import Fix
+    from ..syntax.symbol_table import Declaration
     from ..xml.tree import Node
     from .files import Files
     from .interpreter import Interpreter
-    from .python_errors import Declaration
 
 
 class Function:

@@ -36,8 +36,8 @@ if TYPE_CHECKING:
     from ..policy import Policy
     from ..safe.runtime import SafeRuntime
     from ..syntax.nodes import Parsed
+    from ..syntax.symbol_table import Declaration
     from .modules import LocalModules
-    from .python_errors import Declaration
 
 _SAFE_HELPERS = ("load_yaml", "find", "file_dir", "dirname", "target")
 """The helpers that are left in safe mode."""
@@ -302,13 +302,10 @@ class Files:
 
     def where_declared(self, name: str) -> list[Declaration]:
         """Return every declaration of a name, in any file."""
-        from .python_errors import Declaration
-
         return [
-            Declaration(scope, span, document.extent_around(span))
+            each
             for document in self._documents.values()
-            for declared, scope, span in document.declarations
-            if declared == name
+            for each in document.symbols.where_declared(name)
         ]
 
     def begin(self, document: Document, frame: Frame | None) -> Home:

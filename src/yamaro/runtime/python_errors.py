@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from ..diagnostics import Diagnostic
+    from ..syntax.symbol_table import Declaration
     from .files import Files
 
 TIME_IS_OVER = "timed out while evaluating this"
@@ -395,30 +396,6 @@ def find_name(python: PythonCode, name: str, index: int | None) -> Span | None:
 MAX_NOTES = 3
 
 
-class Declaration:
-    """One place that declares a name."""
-
-    __slots__ = ("extent", "scope", "span")
-
-    def __init__(self, scope: str, span: Span, extent: Span | None) -> None:
-        """Describe a declaration.
-
-        Args:
-            scope: one of the five scopes, "import", or "passed" of what an include gives.
-            span: its place.
-            extent: all of the innermost function or block it is in, or None.
-        """
-        self.scope = scope
-        self.span = span
-        self.extent = extent
-
-    def shares_context_with(self, span: Span) -> bool:
-        """Return whether a place is in the file, and in the function or block, that this is in."""
-        if self.span.source is not span.source:
-            return False
-        return self.extent is None or self.extent.start <= span.start < self.extent.end
-
-
 def notes_on(subject: str, declarations: list[Declaration], span: Span) -> list[str]:
     """Return notes on where a name that is not known at `span` is declared.
 
@@ -433,16 +410,16 @@ def notes_on(subject: str, declarations: list[Declaration], span: Span) -> list[
 
 def _note_on(subject: str, declaration: Declaration, span: Span) -> str:
     place = declaration.span.place()
-    if declaration.scope == "import":
+    if declaration.kind == "import":
         return f"{subject} is imported at {place}; each file has its own imports"
-    if declaration.scope == "passed":
+    if declaration.kind == "passed":
         return f"{subject} at {place} is passed to the file included there, and is local to it"
     if declaration.shares_context_with(span):
         if declaration.span.start > span.start:
             return f"{subject} is declared later, at {place}"
         return f"{subject} is declared at {place}, which has no effect here"
     if declaration.scope == "local":
-        where = "function or block" if declaration.extent is not None else "file"
+        where = "function or block" if declaration.is_inner else "file"
         return (
             f"{subject} at {place} is local to its {where}; "
             "declare it as parent, child or global to see it here"
@@ -623,12 +600,12 @@ def _only_place(
     near = [
         each
         for each in files.where_declared(name)
-        if each.scope not in ("import", "passed") and each.shares_context_with(span)
+        if each.kind not in ("import", "passed") and each.shares_context_with(span)
     ]
-    inner = [each for each in near if each.extent is not None] or near
+    inner = [each for each in near if each.is_inner] or near
     if len(inner) > 1:
         return None
-    is_local = bool(inner) and inner[0].extent is not None
+    is_local = bool(inner) and inner[0].is_inner
     frame = diagnostic.trace
     while frame is not None and frame.kind != ("called" if is_local else "included"):
         frame = frame.parent

@@ -95,8 +95,6 @@ def _run_root(interpreter: Interpreter, document: Document, scope: Scope, stem: 
 # --- variables that are passed to a file which has no use for them ----------------------------
 
 
-COMPUTED = ""
-"""Replaces, in the declarations of a file, a name that is known only at run time."""
 _ALWAYS_KNOWN = frozenset((*dir(builtins), *CONSTANTS, "load_yaml", "file_dir"))
 _READS_ANY = frozenset(("globals", "locals", "vars", "eval", "exec", "dir", "__import__"))
 """Functions of Python through which variables are read, or made, by names that are computed."""
@@ -124,19 +122,22 @@ def warn_of_unread(places: Mapping[str, Span], files: Files, reporter: Reporter)
         files: the files of the program.
         reporter: takes the warnings.
     """
-    if not places:
-        return
     read = files.names_read()
-    documents = files.documents
-    known = _declared_in(documents)
-    is_open = COMPUTED in known or not _READS_ANY.isdisjoint(read)
-    known |= {
-        name for each in documents for name, scope, _ in each.declarations if scope != "import"
-    }
-    for name, span in () if is_open else places.items():
-        if name not in known and name not in read:
+    unread = [name for name in places if name not in read]
+    if not unread or not _READS_ANY.isdisjoint(read):
+        return  # as nearly always, and then no file is looked through for what it declares
+    tables = [each.symbols for each in files.documents]
+    if any(each.is_open for each in tables):
+        return
+    known = {each.name for table in tables for each in table.declared_by_statements()}
+    for table in tables:
+        for include in table.includes:
+            known |= {argument.name or "" for argument in include.node.arguments}
+    for name in unread:
+        if name not in known:
             from ..suggestions import meant
 
+            span = places[name]
             hint, fix = meant(name, _variables(known), span)
             reporter.warn(
                 "unknown-variable",
@@ -155,13 +156,14 @@ def warn_of_unread_includes(includes: Iterable[Passed], files: Files, reporter: 
         document, path = passed.document, passed.node.path
         if not isinstance(path, str) and is_computed(path):
             continue  # what one of the files has no use for may be meant for another one
-        known = _declared_in([document])
         read = document.names_read | files.late.names_read
-        if COMPUTED in known or not _READS_ANY.isdisjoint(read):
+        unread = [each for each in passed.node.arguments if (each.name or "") not in read]
+        if not unread or not _READS_ANY.isdisjoint(read) or document.symbols.is_open:
             continue
-        for argument in passed.node.arguments:
+        known = {each.name for each in document.symbols.declared_by_statements()}
+        for argument in unread:
             name = argument.name or ""
-            if name in known or name in read:
+            if name in known:
                 continue
             from ..suggestions import meant
 
@@ -176,16 +178,6 @@ def warn_of_unread_includes(includes: Iterable[Passed], files: Files, reporter: 
                 trace=passed.frame,
                 fix=fix,
             )
-
-
-def _declared_in(documents: Iterable[Document]) -> set[str]:
-    """Return the names that files declare; what they pass on to others is not theirs."""
-    return {
-        name
-        for document in documents
-        for name, scope, _ in document.declarations
-        if scope not in ("import", "passed")
-    }
 
 
 def _variables(names: Iterable[str]) -> list[str]:

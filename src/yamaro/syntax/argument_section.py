@@ -409,7 +409,6 @@ def parse_arguments(node: YamlNode, document: Document, context: ParseContext) -
         if entry is not None:
             document.arguments.append(entry)
             document.argument_spans[entry.name] = entry.span
-            context.declarations.append((entry.name, "local", entry.span))
 
 
 def refuse_variables_of_same_name(document: Document, context: ParseContext) -> None:

@@ -57,9 +57,7 @@ class ParseContext:
         "bare_keys",
         "blocks",
         "codes",
-        "declarations",
         "errors",
-        "extents",
         "functions",
         "plain_keys",
         "reporter",
@@ -74,8 +72,6 @@ class ParseContext:
             bare_keys: the names of elements that are written without attributes.
             blocks: names of the blocks of the functions around the place being parsed.
             codes: every expression and process block compiled.
-            declarations: name, scope and place of everything that declares a name.
-            extents: the place of each function or block with its body; inner ones come first.
             functions: those that were parsed.
             plain_keys: name and attributes of the elements' keys that came before, if nothing in
                 them is evaluated and they came out clean.
@@ -86,8 +82,6 @@ class ParseContext:
         self.errors: list[Diagnostic] = []
         self.codes: list[PythonCode] = []
         self.blocks: tuple[str, ...] = ()
-        self.declarations: list[tuple[str, str, Span]] = []
-        self.extents: list[Span] = []
         self.functions: list[FunctionNode] = []
         self.bare_keys: set[str] = set()
         self.plain_keys: dict[str, PlainKey] = {}

@@ -13,6 +13,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import NoReturn
 
+    from ..source import Span
     from ..yaml.nodes import YamlNode
     from .context import ParseContext
     from .nodes import Constant
@@ -38,8 +39,10 @@ def parse_head_condition(
     return parse_condition(_piece(key, len(word), len(key.text)), context)
 
 
-def parse_head_iteration(key: ScalarNode, context: ParseContext) -> tuple[list[str], PythonCode]:
-    """Return the names of `for … in …:`, and what it runs over.
+def parse_head_iteration(
+    key: ScalarNode, context: ParseContext
+) -> tuple[list[str], list[Span], PythonCode]:
+    """Return the names of `for … in …:` with their places, and what it runs over.
 
     Raises:
         YamaroError: `in` is missing, a name is not valid, or what follows is not an expression.
@@ -65,7 +68,7 @@ def parse_head_iteration(key: ScalarNode, context: ParseContext) -> tuple[list[s
             key.span(split, split + len("in")),
             hint="write for i in range(6):, or the name of a list",
         )
-    return parse_iterator(names, context), parse_bare_expression(items, context)
+    return *parse_iterator(names), parse_bare_expression(items, context)
 
 
 def body_pairs(word: str, node: YamlNode, context: ParseContext) -> Pairs:

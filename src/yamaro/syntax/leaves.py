@@ -142,7 +142,14 @@ def parse_include_of(key: ScalarNode, pairs: Pairs, context: ParseContext) -> In
     namespace = _parse_namespace(namespace_pair[1], context) if namespace_pair else None
     arguments = _include_arguments(rest + given, context)
     path_span = path_pair[1].span()
-    return IncludeNode(path, namespace, arguments, path_span=path_span, span=key.span())
+    return IncludeNode(
+        path,
+        namespace,
+        arguments,
+        namespace_span=namespace_pair[1].span() if namespace_pair else None,
+        path_span=path_span,
+        span=key.span(),
+    )
 
 
 def _include_arguments(pairs: Pairs, context: ParseContext) -> list[Argument]:
@@ -154,8 +161,6 @@ def _include_arguments(pairs: Pairs, context: ParseContext) -> list[Argument]:
         argument = Argument(_argument_name(own, context), None, own.span())
         argument.value = parse_value(value, context)
         arguments.append(argument)
-        assert argument.name is not None
-        context.declarations.append((argument.name, "passed", argument.span))
     return arguments
 
 
@@ -197,10 +202,7 @@ def _parse_path(node: YamlNode, key: ScalarNode, context: ParseContext) -> str |
             key.span(),
             hint="write include: other.yaml, or include: {path: other.yaml, length: 2}",
         )
-    path = parse_template(node, context=context)
-    if isinstance(path, Template) and is_computed(path):
-        context.declarations.append(("", "computed", node.span()))
-    return path
+    return parse_template(node, context=context)
 
 
 def is_computed(path: Template) -> bool:

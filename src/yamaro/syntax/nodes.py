@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from ..yaml.comments import Comment as YamlComment
     from .argument_section import ArgumentEntry
     from .forms import EvaluatedForm
+    from .symbol_table import SymbolTable
 
 
 # --- values -----------------------------------------------------------------------------------
@@ -317,7 +318,7 @@ class IfNode:
 class ForNode:
     """`for`: over a range (a list of expressions), a value, or an expression."""
 
-    __slots__ = ("body", "is_range", "iterable", "names", "span")
+    __slots__ = ("body", "is_range", "iterable", "name_spans", "names", "span")
 
     def __init__(
         self,
@@ -325,10 +326,12 @@ class ForNode:
         iterable: PythonCode | Value | list[PythonCode | Constant],
         body: Body,
         *,
+        name_spans: list[Span],
         is_range: bool,
         span: Span,
     ) -> None:
         self.names = names
+        self.name_spans = name_spans
         self.iterable = iterable
         self.body = body
         self.is_range = is_range
@@ -339,10 +342,13 @@ class IncludeNode:
     """`include:`: another file's content, and the names it hands back.
 
     Attributes:
+        namespace_span: where the namespace is written, if there is one.
         own_prefix: where the `prefix` of an `attach` is written, which is not passed; else None.
     """
 
-    __slots__ = ("arguments", "namespace", "own_prefix", "path", "path_span", "span")
+    __slots__ = (
+        "arguments", "namespace", "namespace_span", "own_prefix", "path", "path_span", "span",
+    )  # fmt: skip
 
     def __init__(
         self,
@@ -350,12 +356,14 @@ class IncludeNode:
         namespace: str | Template | None,
         arguments: list[Argument],
         *,
+        namespace_span: Span | None = None,
         path_span: Span,
         span: Span,
     ) -> None:
         self.path = path
         self.path_span = path_span
         self.namespace = namespace
+        self.namespace_span = namespace_span
         self.arguments = arguments
         self.span = span
         self.own_prefix: Span | None = None
@@ -404,18 +412,31 @@ class Parameter:
 
 
 class FunctionNode:
-    """One function of a `functions:` mapping."""
+    """One function of a `functions:` mapping.
 
-    __slots__ = ("body", "name", "parameters", "scope", "span")
+    Attributes:
+        span: its key.
+        end: the offset at which its body ends.
+    """
+
+    __slots__ = ("body", "end", "name", "parameters", "scope", "span")
 
     def __init__(
-        self, name: str, scope: str, parameters: list[Parameter], body: Body, span: Span
+        self,
+        name: str,
+        scope: str,
+        parameters: list[Parameter],
+        body: Body,
+        *,
+        span: Span,
+        end: int,
     ) -> None:
         self.name = name
         self.scope = scope
         self.parameters = parameters
         self.body = body
         self.span = span
+        self.end = end
 
     def signature(self) -> str:
         """Return name and parameters as they are written."""
@@ -508,12 +529,11 @@ class Document:
     """A parsed file."""
 
     __slots__ = (
+        "_symbols",
         "argument_spans",
         "arguments",
         "bare_keys",
         "codes",
-        "declarations",
-        "extents",
         "functions",
         "imports",
         "is_lone_section",
@@ -542,8 +562,6 @@ class Document:
             is_lone_section: whether the root element is a section of a robot in an included file.
             robot_name: what follows `robot:`.
             codes: Python code by its file name, to find the place of an error in a function.
-            declarations: every name declared, with the scope and place.
-            extents: the place of each function or block with its body; inner ones come first.
             names_read: every name that some expression reads.
         """
         self.source = source
@@ -557,18 +575,19 @@ class Document:
         self.is_lone_section = False
         self.robot_name: TextContent | None = None
         self.codes: dict[str, PythonCode] = {}
-        self.declarations: list[tuple[str, str, Span]] = []
-        self.extents: list[Span] = []
+        self._symbols: SymbolTable | None = None
         self.functions: list[FunctionNode] = []
         self.bare_keys: set[str] = set()
         self.names_read: set[str] = set()
 
-    def extent_around(self, span: Span) -> Span | None:
-        """Return all of the innermost function or block that a place is in, or None."""
-        for extent in self.extents:
-            if extent.start <= span.start < extent.end:
-                return extent
-        return None
+    @property
+    def symbols(self) -> SymbolTable:
+        """Return the names that the file declares and uses, which are gathered when asked for."""
+        if self._symbols is None:
+            from .symbol_table import SymbolTable
+
+            self._symbols = SymbolTable(self)
+        return self._symbols
 
 
 class Parsed:

@@ -62,8 +62,6 @@ def parse_reading(
     document = Document(source)
     if reading.root is not None:
         context.attempt(_parse_whole, reading.root, document, context)
-    document.declarations = context.declarations
-    document.extents = context.extents
     document.functions = context.functions
     document.bare_keys = context.bare_keys
     for python in context.codes:
@@ -315,7 +313,7 @@ def _parse_imports(node: YamlNode, document: Document, context: ParseContext) ->
                 hint="write import: [math, numpy as np], or one per line after a dash",
             )
         if not is_empty(scalar):
-            context.attempt(_parse_import, scalar, document, context)
+            context.attempt(_parse_import, scalar, document)
     if isinstance(node, SequenceNode) and node.is_flow:
         _note_split_names([s for s in node.items if isinstance(s, ScalarNode)], document)
 
@@ -333,17 +331,13 @@ def _note_split_names(items: list[ScalarNode], document: Document) -> None:
                     entry.hint = f"the commas of [ ] split a list of names: write '{whole}'"
 
 
-def _parse_import(node: ScalarNode, document: Document, context: ParseContext) -> None:
+def _parse_import(node: ScalarNode, document: Document) -> None:
     words = node.text.split()
     if words and words[0] == "from":
         document.imports.append(_parse_from(node, words))
     else:
         for piece in node.text.split(","):
             document.imports.append(_parse_module(node, piece))
-    for entry in document.imports[-1:]:
-        names = [name for _, name in entry.names] if entry.names else [entry.alias or entry.module]
-        for name in names:
-            context.declarations.append((name, "import", entry.span))
 
 
 def _parse_module(node: ScalarNode, text: str) -> ImportNode:

@@ -48,7 +48,6 @@ def parse_robot_word(key: ScalarNode, node: YamlNode, context: ParseContext) -> 
     word = RobotWordNode(key, node, is_section=key.text in ROBOT_SECTIONS)
     inner = ParseContext(context.reporter, context.rules)
     inner.blocks, inner.codes = context.blocks, context.codes
-    inner.declarations, inner.extents = context.declarations, context.extents
     several = key.text in ("control", "loop") and isinstance(node, SequenceNode)
     for item in node.items if several and isinstance(node, SequenceNode) else [node]:
         parsed = inner.attempt(_parse_item, key, item, inner)
@@ -74,7 +73,6 @@ def parse_raw_block(key: ScalarNode, node: YamlNode, context: ParseContext) -> R
     word = RobotWordNode(key, node, is_section=False)
     inner = ParseContext(context.reporter, context.rules)
     inner.blocks, inner.codes = context.blocks, context.codes
-    inner.declarations, inner.extents = context.declarations, context.extents
     item = RobotWordItem(key.span())
     if not is_empty(node):
         item.body = inner.attempt(parse_body, node, f"`{key.text}`", inner)

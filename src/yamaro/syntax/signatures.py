@@ -63,9 +63,6 @@ def parse_variables(key: ScalarNode, node: YamlNode, context: ParseContext) -> V
                 context.attempt(_join_entries, earlier, entry)
                 continue
             entries[entry.name] = entry
-            context.declarations.append((entry.name, entry.scope, entry.span))
-        else:
-            context.declarations.append(("", "computed", entry.span))
         every.append(entry)
     return VariablesNode(every, is_root=False, span=key.span())
 
@@ -154,7 +151,6 @@ def parse_input(node: YamlNode, context: ParseContext) -> list[Parameter]:
                 )
             seen[parameter.name] = parameter
             parameters.append(parameter)
-            context.declarations.append((parameter.name, "local", parameter.span))
     return parameters
 
 

@@ -187,7 +187,6 @@ def _parse_dynamic(
 ) -> DynamicNode:
     inner = ParseContext(context.reporter, context.rules)
     inner.blocks, inner.codes = context.blocks, context.codes
-    inner.declarations, inner.extents = context.declarations, context.extents
     inner.functions = context.functions
     content = inner.attempt(parse_content, node, inner)
     return DynamicNode(template, node, content, inner.errors, key.span())
@@ -330,7 +329,6 @@ def _parse_argument(key: ScalarNode, node: YamlNode, context: ParseContext) -> A
     argument = Argument(name, node, key.span())
     if name[0].isupper() and (is_empty(node) or _is_body(node)):
         argument.block = parse_body(node, f"the block {name}", context)
-        context.extents.append(node.span())
     else:
         argument.value = parse_value(node, context)
     return argument
@@ -421,9 +419,9 @@ def _parse_for(key: ScalarNode, node: YamlNode, context: ParseContext) -> ForNod
     body = Body()
     if body_node is not None:
         body = context.attempt(parse_body, body_node, "the body of `for`", context) or body
-    names = parse_iterator(entries.need("iterator", "i"), context)
+    names, spans = parse_iterator(entries.need("iterator", "i"))
     iterable, is_range = parse_iterable(entries, len(names), context)
-    return ForNode(names, iterable, body, is_range=is_range, span=key.span())
+    return ForNode(names, iterable, body, name_spans=spans, is_range=is_range, span=key.span())
 
 
 def _parse_short_for(key: ScalarNode, node: YamlNode, context: ParseContext) -> ForNode:
@@ -431,8 +429,8 @@ def _parse_short_for(key: ScalarNode, node: YamlNode, context: ParseContext) -> 
 
     pairs = body_pairs("for", node, context)
     body = context.attempt(parse_pairs, pairs, context) or Body()
-    names, items = parse_head_iteration(key, context)
-    return ForNode(names, items, body, is_range=False, span=key.span())
+    names, spans, items = parse_head_iteration(key, context)
+    return ForNode(names, items, body, name_spans=spans, is_range=False, span=key.span())
 
 
 # --- declarations -----------------------------------------------------------------------------
@@ -451,7 +449,6 @@ def _parse_functions(key: ScalarNode, node: YamlNode, context: ParseContext) -> 
             continue
         seen[function.name] = function
         functions.append(function)
-        context.declarations.append((function.name, function.scope, function.span))
     return FunctionsNode(functions, key.span())
 
 
@@ -486,8 +483,9 @@ def _parse_function(key: ScalarNode, node: YamlNode, context: ParseContext) -> F
             body = context.attempt(parse_body, body_node, f"the function {name}", context) or body
     finally:
         context.blocks, context.at_root = outer, at_root
-        context.extents.append(node.span())
-    function = FunctionNode(name, scope, parameters, body, key.span())
+    function = FunctionNode(
+        name, scope, parameters, body, span=key.span(), end=max(key.end, node.end)
+    )
     context.functions.append(function)
     return function
 
@@ -528,10 +526,15 @@ Iterable = PythonCode | Value | list[PythonCode | Constant]
 RANGE_FORMS = "write range: 6, or range: 0, 6, or range: 0, 6, 2"
 
 
-def parse_iterator(node: YamlNode, context: ParseContext) -> list[str]:
-    """Return the names in `iterator`; raise YamaroError if one cannot name a variable."""
+def parse_iterator(node: YamlNode) -> tuple[list[str], list[Span]]:
+    """Return the names in `iterator` with their places.
+
+    Raises:
+        YamaroError: one cannot name a variable.
+    """
     scalars = node.items if isinstance(node, SequenceNode) else [node]
     names: list[str] = []
+    spans: list[Span] = []
     for scalar in scalars:
         if not isinstance(scalar, ScalarNode):
             raise failure(
@@ -555,10 +558,10 @@ def parse_iterator(node: YamlNode, context: ParseContext) -> list[str]:
                     else "write iterator: i, or iterator: name, length",
                 )
             names.append(python_name(name))
-            context.declarations.append((names[-1], "local", span))
+            spans.append(span)
     if not names:
         raise failure("bad-iterator", "the iterator has no name", node.span(), hint="iterator: i")
-    return names
+    return names, spans
 
 
 def parse_range(node: YamlNode, context: ParseContext) -> list[PythonCode | Constant] | PythonCode:
@@ -745,8 +748,8 @@ def warn_of_miscased_calls(
             if not _reads_like_call(element, function):
                 continue
             if any(each is function for each in document.functions):
-                extent = document.extent_around(span)
-                if extent is not None and extent.start > function.span.start:
+                around = document.symbols.context_at(span.start)
+                if around.parent is not None and around.start >= function.span.start:
                     continue  # the element that a function of its name makes
             from ..fixes import respelling
 

@@ -9,8 +9,8 @@ import pytest
 from tests.tools.lsp.client import Client
 from tests.tools.lsp.test_protocol import ROBOT
 from tests.waiting import wait_for
+from yamaro.syntax.python_names import names_in_text
 from yamaro.tools.lsp import FEATURES
-from yamaro.tools.lsp.python_names import names_in_text
 
 FAULTY = ROBOT.replace("parent: base", "parent: bse")
 MAIN = "robot: r\nmodel:\n- include: leg.yaml\n- part:\n    name: base\n- Leg: left\n"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...syntax.nodes import LOCAL, PARENT, CallNode, IncludeNode
-from .names import (
+from ...syntax.symbol_table import (
     ARGUMENT,
     BLOCK,
     CALLED,

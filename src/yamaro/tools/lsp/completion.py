@@ -15,6 +15,7 @@ from ...model.shapes import SIZES
 from ...sandbox.deep_stack import run_on_deep_stack
 from ...source import Source
 from ...syntax.nodes import LOCAL, SCOPES, FunctionNode, Parameter
+from ...syntax.symbol_table import ARGUMENT, CALLED, FUNCTION_NAME, VARIABLE
 from ...yaml.brackets import find_close
 from ...yaml.nodes import MappingNode, ScalarNode, SequenceNode
 from ...yaml.reader import read_on
@@ -36,7 +37,6 @@ from .contexts import (
     place_of,
     word_of,
 )
-from .names import ARGUMENT, CALLED, FUNCTION_NAME, VARIABLE
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

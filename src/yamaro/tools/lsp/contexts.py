@@ -95,6 +95,14 @@ def _pair_at(node: MappingNode, offset: int) -> tuple[ScalarNode | None, YamlNod
     return None, None
 
 
+def pairs_of_mappings(node: YamlNode | None) -> Sequence[tuple[ScalarNode, YamlNode]]:
+    """Return the pairs of a mapping, or of all mappings in a list."""
+    if isinstance(node, MappingNode):
+        return node.pairs
+    items = node.items if isinstance(node, SequenceNode) else ()
+    return [pair for item in items if isinstance(item, MappingNode) for pair in item.pairs]
+
+
 def span_inside(node: ScalarNode) -> Span:
     """Return the place of a scalar without its quotes."""
     if not node.style or not node.text:

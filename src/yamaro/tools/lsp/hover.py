@@ -15,8 +15,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
+    from ...syntax.symbol_table import Declaration
     from .builds import Result
-    from .names import Declaration
     from .protocol import Json
     from .workspace import Text, Workspace
 

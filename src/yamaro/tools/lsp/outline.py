@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from ...yaml.nodes import MappingNode, ScalarNode, SequenceNode, pairs_below
-from .contexts import word_of
-from .names import (
+from ...syntax.symbol_table import (
     ARGUMENT,
     BLOCK_NAME,
     CALLED,
@@ -12,8 +10,9 @@ from .names import (
     ITERATOR,
     NAMESPACE,
     PARAMETER,
-    pairs_of_mappings,
 )
+from ...yaml.nodes import MappingNode, ScalarNode, SequenceNode, pairs_below
+from .contexts import pairs_of_mappings, word_of
 from .protocol import TYPES, range_of, width
 
 TYPE_CHECKING = False

@@ -6,8 +6,7 @@ import re
 
 from ...source import Span
 from ...yaml.nodes import ScalarNode, SequenceNode
-from .contexts import span_inside, word_of
-from .names import pairs_of_mappings
+from .contexts import pairs_of_mappings, span_inside, word_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -19,10 +19,10 @@ if TYPE_CHECKING:
 
     from ...diagnostics import Diagnostic
     from ...syntax.nodes import Parsed
+    from ...syntax.symbol_table import SymbolTable
     from ...xml.tree import Element
     from ...yaml.nodes import YamlNode
     from .builds import Result
-    from .names import Names
     from .parts import Parts
     from .protocol import Json
 
@@ -42,7 +42,7 @@ class Text:
         source: the text; `is_xml` says whether it is URDF or xacro.
     """
 
-    __slots__ = ("_names", "_parsed", "_parts", "_root", "_xml", "path", "source")
+    __slots__ = ("_parsed", "_parts", "_root", "_xml", "path", "source")
 
     def __init__(self, path: str, text: str) -> None:
         """Take a text for the content of a file."""
@@ -51,7 +51,6 @@ class Text:
         self.source.is_xml = holds_xml(path, text)
         self._parsed: Parsed | None = None
         self._root: YamlNode | None = None
-        self._names: Names | None = None
         self._parts: Parts | None = None
         self._xml: tuple[Element | None, list[Diagnostic]] | None = None
 
@@ -95,14 +94,9 @@ class Text:
         self._parsed = parse_reading(self.source, reading, reporter=reporter)
 
     @property
-    def names(self) -> Names:
+    def names(self) -> SymbolTable:
         """Return the names that the file declares and uses."""
-        if self._names is None:
-            from .names import Names
-
-            document = self.parsed.document
-            self._names = run_on_deep_stack(lambda: Names(document, self.root))
-        return self._names
+        return self.parsed.document.symbols
 
     @property
     def parts(self) -> Parts:

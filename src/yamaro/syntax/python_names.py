@@ -8,14 +8,14 @@ from __future__ import annotations
 
 import ast
 
-from ...syntax.names import python_name
-from ...syntax.python import expression_without_dollars, ros_words
+from .names import python_name
+from .python import expression_without_dollars, ros_words
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
 
-    from ...syntax.python import PythonCode
+    from .python import PythonCode
 
 
 class NameInPython:
