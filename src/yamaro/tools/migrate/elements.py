@@ -55,7 +55,15 @@ def pair(nodes: list[Node], endings: Endings) -> tuple[list[Item], list[Loose]]:
     URDF gives the order of joints among links no meaning; links keep their order among themselves,
     and so do joints and all the rest. A pair that would change that is left as two elements.
     """
-    items, loose = _items(nodes, endings)
+    items: list[Item] = []
+    loose: list[Loose] = []  # what is above the next element, or at the end
+    for node in nodes:
+        if not isinstance(node, Element):
+            is_beside = items and endings.get(id(node)) == "following"
+            (items[-1].beside if is_beside else loose).append(node)
+        else:
+            items.append(Item(node, len(items), loose))
+            loose = []
     links = [item for item in items if item.element.name == "link"]
     joints = [item for item in items if item.element.name == "joint"]
     # the links with their joints, as many as can stand together with no order changed
@@ -82,19 +90,6 @@ def pair(nodes: list[Node], endings: Endings) -> tuple[list[Item], list[Loose]]:
             link.is_joint_first = True
             link.above = link.above + joint.above
     return _ordered(items, {id(joint): link for link, joint in pairs}), loose
-
-
-def _items(nodes: list[Node], endings: Endings) -> tuple[list[Item], list[Loose]]:
-    items: list[Item] = []
-    above: list[Loose] = []
-    for node in nodes:
-        if not isinstance(node, Element):
-            is_beside = items and endings.get(id(node)) == "following"
-            (items[-1].beside if is_beside else above).append(node)
-        else:
-            items.append(Item(node, len(items), above))
-            above = []
-    return items, above
 
 
 def _longest_rise(pairs: list[tuple[int, int]]) -> list[tuple[int, int]]:

@@ -165,16 +165,12 @@ def migrate_program(
     migration.files |= {
         copy: text for copy, text in copies if copy is not None
     } | layout.calling_files()
-    migration.lost += _untried(program)
-    return migration
-
-
-def _untried(program: XacroProgram) -> Iterator[tuple[Span, str, str]]:
-    """Return which arguments the robot was not expanded with, since there are too many."""
     span = program.roots[program.main].span
-    for changed in program.files.untried:
+    for changed in program.files.untried:  # there were too many
         given = ", ".join(f"{name}:={value}" for name, value in changed.items())
-        yield span, f"not tried with {given}", "migrate it with these as well"
+        why = f"not tried with {given}"
+        migration.lost.append((span, why, "migrate it with these as well"))
+    return migration
 
 
 _WORDS_OF_LICENCES = ("copyright", "license", "licence")

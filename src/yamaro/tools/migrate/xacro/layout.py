@@ -88,7 +88,11 @@ class Layout:
         for path, (name, folder) in foreign.items():
             if path not in self.brought:
                 self.theirs[path] = name, os.path.relpath(path, folder)
-        self._folder = common_folder([*self._own_files(), *self._own_data()])
+        own_files = [
+            path for path in program.roots if path not in self.theirs and path not in self.brought
+        ]
+        own_data = [path for path in program.runs.relative if self.package_of(path) == self._own]
+        self._folder = common_folder([*own_files, *own_data])
         self.outputs: dict[str, str] = {}
         for path in program.roots:
             if path not in self.theirs:
@@ -124,18 +128,6 @@ class Layout:
     def makes_nothing(self, path: str, but: str = "") -> bool:
         """Return whether a file, with those it includes, makes no elements `but` of one name."""
         return all(_only_defines(self._program.roots[own], but) for own in self._reached_from(path))
-
-    def _own_files(self) -> list[str]:
-        return [
-            path
-            for path in self._program.roots
-            if path not in self.theirs and path not in self.brought
-        ]
-
-    def _own_data(self) -> list[str]:
-        """Return the data that own files name by relative paths."""
-        relative = self._program.runs.relative
-        return [path for path in relative if self.package_of(path) == self._own]
 
     # --- packages -------------------------------------------------------------------------------
 

@@ -174,7 +174,11 @@ class HiddenArguments:
             redefined = _redefined(macro.element)
             hides = set(macro.values()) | redefined
             self._in_macros[id(macro.element)] = hides
-            handed = redefined & _handed_out(macro.element)
+            handed = redefined & {
+                name_of(element)
+                for element in macro.element.iter()
+                if element.name == "xacro:property" and "scope" in element.attributes
+            }
             self.replaced |= handed
             self.everywhere |= {name for name in hides if name in inherited} | handed
         self.everywhere &= read | _read_again(roots, main, self.replaced)
@@ -199,15 +203,6 @@ def _redefined(root: Element, without: Container[int] = ()) -> set[str]:
         if element.name == "xacro:property"
         and (name := name_of(element))
         and not is_argument(format_value(element.attributes.get("value")), name)
-    }
-
-
-def _handed_out(macro: Element) -> set[str]:
-    """Return the properties that a macro sets for others."""
-    return {
-        name_of(element)
-        for element in macro.iter()
-        if element.name == "xacro:property" and "scope" in element.attributes
     }
 
 

@@ -647,8 +647,9 @@ def solid_macro(macro: Macro) -> SolidMacro | None:
             return None
         if parts.keys() - {"mass", "inertia", "origin", "xacro:insert_block"} or len(parts) > 3:
             return None
-        own_mass = _parameter(values_of(parts["mass"]).get("value", ""), macro)
-        if own_mass is None:
+        text = values_of(parts["mass"]).get("value", "").strip()
+        own_mass = text[2:-1].strip() if text.startswith("${") and text.endswith("}") else ""
+        if own_mass not in macro.values():
             return None
         inertia = parts["inertia"]
     moments = values_of(inertia)
@@ -692,13 +693,6 @@ def _read_by(moments: Iterable[str], macro: Macro) -> list[str] | None:
     if not sample.values.keys() <= keys.keys():
         return None
     return [keys[key] for key in sample.values]
-
-
-def _parameter(text: str, macro: Macro) -> str | None:
-    """Return the parameter that a text consists of."""
-    text = text.strip()
-    name = text[2:-1].strip() if text.startswith("${") and text.endswith("}") else ""
-    return name if name in macro.values() else None
 
 
 def _filled_in(text: str, given: Mapping[str, str]) -> str | None:

@@ -695,9 +695,15 @@ def known_numbers(program: XacroProgram) -> dict[str, float]:
         for name, number in _PREDEFINED.items()
         if name not in others and name not in program.properties
     }
+    at_top = {
+        name_of(element): format_value(element.attributes["value"]).strip()
+        for root in program.roots.values()
+        for element in root.elements()
+        if element.name == "xacro:property" and {"name", "value"} <= element.attributes.keys()
+    }
     pending = {
         name: text
-        for name, text in _properties(program).items()
+        for name, text in at_top.items()
         if program.times_defined[name] == 1 and name not in others
     }
     made_of = {name: pending.keys() & set(_WORD.findall(text)) for name, text in pending.items()}
@@ -719,13 +725,3 @@ def known_numbers(program: XacroProgram) -> dict[str, float]:
             if not made_of[reader]:
                 ready.append(reader)
     return found
-
-
-def _properties(program: XacroProgram) -> dict[str, str]:
-    """Return the values of the properties that are at the top of a file."""
-    return {
-        name_of(element): format_value(element.attributes["value"]).strip()
-        for root in program.roots.values()
-        for element in root.elements()
-        if element.name == "xacro:property" and {"name", "value"} <= element.attributes.keys()
-    }

@@ -110,19 +110,13 @@ def _drop_parameters(files: list[Body], program: XacroProgram) -> None:
             }
             if dropped:
                 is_new = True
-                _drop_inputs(function, dropped)
+                pieces = [own for own in inputs.value.pieces if _name_of_input(own) not in dropped]
+                if pieces:
+                    inputs.value = Row(pieces)
+                else:
+                    del function.entries[0]
                 for sections in files:
                     _drop_arguments(sections, name, dropped)
-
-
-def _drop_inputs(function: Body, names: set[str]) -> None:
-    inputs = function.entries[0]
-    assert isinstance(inputs.value, Row)
-    pieces = [piece for piece in inputs.value.pieces if _name_of_input(piece) not in names]
-    if pieces:
-        inputs.value = Row(pieces)
-    else:
-        del function.entries[0]
 
 
 def _drop_arguments(sections: Body, function: str, names: set[str]) -> None:

@@ -180,7 +180,12 @@ class FileWriter(ElementWriter):
                 try:
                     if not self._is_frame(step, frames, body):
                         self._statement(node, step, body)
-                        self._note_part(step, frames, body)
+                        last = body.entries[-1] if body.entries else None
+                        if node.name == "link" and last is not None:  # frames below it go into it
+                            name = name_of(node)
+                            frames.begin(last, self._translate(name))
+                        else:
+                            frames.begin(None)
                 except CannotMigrate as error:
                     self.lose(node.span, str(error))
                     body.note(f"not migrated: <{node.name}>: {error}")
@@ -195,15 +200,6 @@ class FileWriter(ElementWriter):
             return False
         writer = self.part_writer()
         return frames.take(writer.spelled(link), writer.spelled(joint), writer, body)
-
-    def _note_part(self, step: Step, frames: Frames, body: Body) -> None:
-        """Note the part that was written, into which frames below it go."""
-        node = step.node
-        last = body.entries[-1] if body.entries else None
-        if isinstance(node, Element) and node.name == "link" and last is not None:
-            frames.begin(last, self._translate(name_of(node)))
-        else:
-            frames.begin(None)
 
     def _write_text(self, node: Text, body: Body) -> None:
         """Write a text between elements; the space around it keeps it from others."""
