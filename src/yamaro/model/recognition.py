@@ -122,10 +122,14 @@ def recognized(robot: Robot, notes: Sequence[Element]) -> list[Element]:
         notes: what words say of it.
     """
     found: list[Element] = []
-    outer = list(_outermost(robot))
-    gazebo = [(each, trace) for each, trace in outer if each.name == "gazebo"]
-    controls = [(each, trace) for each, trace in outer if each.name == "ros2_control"]
-    transmissions = [(each, trace) for each, trace in outer if each.name == "transmission"]
+    root = robot.element
+    above = None if root.trace is INHERITED else root.trace
+    outer: dict[str, list[Placed]] = {}
+    for child in root.elements():
+        trace = above if child.trace is INHERITED else child.trace
+        outer.setdefault(child.name, []).append((child, trace))
+    gazebo, controls = outer.get("gazebo", []), outer.get("ros2_control", [])
+    transmissions = outer.get("transmission", [])
     if gazebo or controls:
         sensors = GazeboSensors(robot, _said(notes, "sensor", "name"))
         sensors.read(gazebo)
@@ -139,15 +143,6 @@ def recognized(robot: Robot, notes: Sequence[Element]) -> list[Element]:
     named = {attribute_text(n, "name") or robot.name for n in notes if n.name == "ros2_control"}
     found += [_control(*each) for each in controls if attribute_text(each[0], "name") not in named]
     return found
-
-
-def _outermost(robot: Robot) -> Iterator[Placed]:
-    """Yield the elements directly under a robot, each with the calls that led to it."""
-    root = robot.element
-    above = None if root.trace is INHERITED else root.trace
-    for child in root.children:
-        if isinstance(child, Element):
-            yield child, above if child.trace is INHERITED else child.trace
 
 
 def _said(notes: Iterable[Element], kind: str, attribute: str) -> set[str]:
@@ -167,18 +162,13 @@ def _surfaces(robot: Robot, gazebo: list[Placed], said: set[str]) -> Iterator[El
             by_link.setdefault(link, []).append((element, trace))
     for link, blocks in by_link.items():
         for index in range(len(robot.links[link].collisions)):
-            note = _surface(blocks, link, index)
+            note: Note | None = None
+            for element, trace in blocks:
+                begun = note or Note("surface", element, trace, link=link, index=str(index))
+                if _read_surface(begun, element):
+                    note = begun
             if note is not None:
-                yield note
-
-
-def _surface(blocks: list[Placed], link: str, index: int) -> Element | None:
-    note: Note | None = None
-    for element, trace in blocks:
-        begun = note or Note("surface", element, trace, link=link, index=str(index))
-        if _read_surface(begun, element):
-            note = begun
-    return note.element if note is not None else None
+                yield note.element
 
 
 def _read_surface(note: Note, gazebo: Element) -> bool:

@@ -257,13 +257,20 @@ class _Image:
                 self._mirror_joint(copy)
         for copy in copies:
             if copy.name == "joint":
-                self._mirror_mimic(copy)
+                for mimic in copy.elements():
+                    if mimic.name == "mimic":
+                        leader = self.signs.get(format_value(mimic.attributes.get("joint")), 1)
+                        reverse_mimic(copy, follower=self.signs[name_of(copy)], leader=leader)
             elif copy.name == "link":
                 self._mirror_link(copy)
             elif isinstance(copy, RobotNote):
-                self._mirror_state(copy)
+                for joint in copy.elements():
+                    if self.signs.get(format_value(joint.attributes.get("joint"))) == -1:
+                        change_text(joint, "value", negated)
             elif copy.name == "ros2_control":
-                self._mirror_interfaces(copy)
+                for joint in copy.elements():
+                    if joint.name == "joint" and self.signs.get(name_of(joint)) == -1:
+                        reverse_interfaces(joint)
             else:
                 self._warn_of_poses(copy)
         RobotNames(kept).rename(copies, self.mirror.renaming.apply)
@@ -398,23 +405,6 @@ class _Image:
                 trace=key.trace,
             )
         return pose.inverse() @ pose_of_parent
-
-    def _mirror_mimic(self, joint: Element) -> None:
-        for mimic in joint.elements():
-            if mimic.name == "mimic":
-                leader = format_value(mimic.attributes.get("joint"))
-                sign = self.signs.get(leader, 1)
-                reverse_mimic(joint, follower=self.signs[name_of(joint)], leader=sign)
-
-    def _mirror_state(self, state: Element) -> None:
-        for joint in state.elements():
-            if self.signs.get(format_value(joint.attributes.get("joint"))) == -1:
-                change_text(joint, "value", negated)
-
-    def _mirror_interfaces(self, control: Element) -> None:
-        for joint in control.elements():
-            if joint.name == "joint" and self.signs.get(name_of(joint)) == -1:
-                reverse_interfaces(joint)
 
     # --- what cannot be mirrored ---
 
