@@ -87,7 +87,7 @@ class Program:
         assert use is not None
         if isinstance(use.owner, IncludeNode):
             return ("passed", self._included(place.text, use.owner), use.name)
-        if not use.is_called and use.owner is None and self._is_passed(place.text, use.name):
+        if not use.is_called and use.owner is None and self._passed_to(place.text, use.name):
             return ("passed", place.text.path, use.name)
         return None
 
@@ -117,9 +117,19 @@ class Program:
         if isinstance(use.owner, CallNode):
             return self._parameter(place.text, use, use.owner)
         if isinstance(use.owner, IncludeNode):
-            return self._of_file(self._included(place.text, use.owner), use.name)
+            file = self._file(self._included(place.text, use.owner))
+            found = [] if file is None else file.names.file.find(use.name, is_called=False)
+            return [
+                Place(file, declaration=each, use=None)
+                for each in found
+                if file is not None and each.kind in (VARIABLE, ARGUMENT)
+            ]
         if isinstance(use.owner, str):
-            return self._in_namespace(place.text, use, use.owner)
+            return [
+                found
+                for file in self._files_in(place.text, use.owner)
+                for found in _declared_in(file, use.name, is_called=use.is_called)
+            ]
         return self._visible(place.text, use.name, use.context, is_called=use.is_called)
 
     def _visible(
@@ -182,13 +192,6 @@ class Program:
                 ]
         return found
 
-    def _in_namespace(self, text: Text, use: Use, space: str) -> list[Place]:
-        return [
-            place
-            for file in self._files_in(text, space)
-            for place in _declared_in(file, use.name, is_called=use.is_called)
-        ]
-
     def _files_in(self, text: Text, space: str) -> Iterator[Text]:
         """Yield the files that are included into a namespace."""
         for include in text.names.includes:
@@ -228,19 +231,6 @@ class Program:
 
     def _file(self, path: str) -> Text | None:
         return next((text for text in self.texts if text.path == path), None)
-
-    def _of_file(self, path: str, name: str) -> list[Place]:
-        file = self._file(path)
-        if file is None:
-            return []
-        return [
-            Place(file, declaration=each, use=None)
-            for each in file.names.file.find(name, is_called=False)
-            if each.kind in (VARIABLE, ARGUMENT)
-        ]
-
-    def _is_passed(self, text: Text, name: str) -> bool:
-        return bool(self._passed_to(text, name))
 
     def _passed_to(self, text: Text, name: str) -> list[Place]:
         """Return the arguments of includes that pass a variable to a file."""
@@ -298,15 +288,11 @@ def function_context(place: Place) -> Context | None:
     declaration = place.declaration
     if declaration is None or declaration.kind != "function":
         return None
+    span: Span = declaration.node.span  # type: ignore[attr-defined]
     for context in place.text.names.contexts:
-        if context.kind == "function" and context.start == _start_of(declaration):
+        if context.kind == "function" and context.start == span.start:
             return context
     return None
-
-
-def _start_of(declaration: Declaration) -> int:
-    span: Span = declaration.node.span  # type: ignore[attr-defined]
-    return span.start
 
 
 def _declared_in(text: Text, name: str, *, is_called: bool) -> list[Place]:

@@ -190,7 +190,8 @@ class Builder:
             try:
                 result = job.run(self._settings) if isinstance(job, Job) else job()
             except Exception as error:  # must not end the thread
-                result = _fault_of(job, error)
+                result = Result(job.main if isinstance(job, Job) else "")
+                result.fault = f"{type(error).__name__}: {error}"
             if result is not None:
                 self._done(result)
             if not is_warm and isinstance(job, Job):
@@ -244,12 +245,6 @@ _OF_JAILS = (
     "...runtime.includes",
     "...runtime.python_errors",
 )
-
-
-def _fault_of(job: object, error: Exception) -> Result:
-    result = Result(job.main if isinstance(job, Job) else "")
-    result.fault = f"{type(error).__name__}: {error}"
-    return result
 
 
 # --- places in an earlier text ----------------------------------------------------------------

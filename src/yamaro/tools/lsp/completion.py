@@ -14,7 +14,7 @@ from ...diagnostics import Reporter
 from ...model.shapes import SIZES
 from ...sandbox.deep_stack import run_on_deep_stack
 from ...source import Source
-from ...syntax.nodes import LOCAL, SCOPES, FunctionNode, Parameter
+from ...syntax.nodes import LOCAL, SCOPES, FunctionNode
 from ...syntax.symbol_table import ARGUMENT, CALLED, FUNCTION_NAME, VARIABLE
 from ...yaml.brackets import find_close
 from ...yaml.nodes import MappingNode, ScalarNode, SequenceNode
@@ -191,7 +191,9 @@ class Items:
         if key in _PARTS or key in _JOINTS or words[-2:-1] == ["mimic"]:
             self.add_parts(program)
         if key == "material" or (name == "material" and key == "name"):
-            self._materials(program)
+            for result in self._workspace.results_of(self._text.path):
+                for name in result.robot.materials if result.robot is not None else ():
+                    self.add(name, _REFERENCE, detail="material", rank="1")
         if key in _PATHS:
             self._files(typed)
         if key == "import" or words[:1] == ["import"]:
@@ -199,7 +201,9 @@ class Items:
         if name == "call" or key in ("print",):
             return
         if name == "control" and key == "state":
-            self._states(program)
+            for result in self._workspace.results_of(self._text.path):
+                for name in result.robot.states if result.robot is not None else ():
+                    self.add(name, _REFERENCE, detail="state", rank="1")
 
     # --- names ------------------------------------------------------------------------------
 
@@ -244,8 +248,11 @@ class Items:
             text = f"{each.name}:" if each.is_block else f"{each.name}{sign}"
             if self._has_colon:
                 text = each.name
+            about = "block" if each.is_block else "required"
+            if not each.is_block and each.default is not None:
+                about = each.text
             if not each.is_block or sign == ": ":
-                self.add(each.name, _FIELD, text=text, detail=_about(each), rank="0")
+                self.add(each.name, _FIELD, text=text, detail=about, rank="0")
 
     def add_passed(self, file: Text, present: object) -> None:
         """Add what may be passed to a file."""
@@ -286,18 +293,6 @@ class Items:
             for name in robot.links if robot is not None else ():
                 self.add(name, _REFERENCE, detail="link", rank="2")
 
-    def _materials(self, program: Program) -> None:
-        for result in self._workspace.results_of(self._text.path):
-            robot = result.robot
-            for name in robot.materials if robot is not None else ():
-                self.add(name, _REFERENCE, detail="material", rank="1")
-
-    def _states(self, program: Program) -> None:
-        for result in self._workspace.results_of(self._text.path):
-            robot = result.robot
-            for name in robot.states if robot is not None else ():
-                self.add(name, _REFERENCE, detail="state", rank="1")
-
     # --- files ------------------------------------------------------------------------------
 
     def add_modules(self) -> None:
@@ -324,16 +319,13 @@ class Items:
             else:
                 self.add(name, _FILE, rank="3")
         if not slash or typed.rpartition("/")[0] == "package:/":
-            self._packages(is_begun=slash != "")
+            is_begun = slash != ""  # `package://` is there then
+            from .workspace import finder_of
 
-    def _packages(self, *, is_begun: bool) -> None:
-        """Add the packages that can be found; `package://` is there if it is begun."""
-        from .workspace import finder_of
-
-        finder = finder_of(self._workspace.settings)
-        for name in finder.names(self._text.folder)[:MOST_FILES]:
-            label, new = (name, f"{name}/") if is_begun else (f"package://{name}/", None)
-            self.add(label, _FOLDER, text=new, detail="package", rank="5")
+            finder = finder_of(self._workspace.settings)
+            for name in finder.names(self._text.folder)[:MOST_FILES]:
+                label, new = (name, f"{name}/") if is_begun else (f"package://{name}/", None)
+                self.add(label, _FOLDER, text=new, detail="package", rank="5")
 
 
 def _listed(folder: str) -> list[str]:
@@ -341,12 +333,6 @@ def _listed(folder: str) -> list[str]:
         return sorted(os.listdir(folder))[:MOST_FILES]
     except OSError:
         return []
-
-
-def _about(parameter: Parameter) -> str:
-    if parameter.is_block:
-        return "block"
-    return parameter.text if parameter.default is not None else "required"
 
 
 # --- one request ------------------------------------------------------------------------------
@@ -407,7 +393,10 @@ class Completion:
         typed = word[0] if word is not None else ""
         is_key = self._is_at_key(before[: len(before) - len(typed)])
         cursor = run_on_deep_stack(lambda: self._read(typed, is_key=is_key))
-        self._offer(cursor, typed, is_key=is_key)
+        if is_key:
+            self._keys(place_of(cursor.keys), cursor)
+        if not (is_key and cursor.scalar is not None and cursor.is_key):
+            self._values(cursor)  # for keys too if nothing is there yet, or the text is faulty
 
     def _open_expression(self) -> int:
         """Return where a `$(` that the cursor is in begins in the line, or -1."""
@@ -448,18 +437,6 @@ class Completion:
         reading = read_on(source, reporter=Reporter())
         return cursor_at(reading.root, start + (mark.startswith(" ")) + 1)
 
-    def _offer(self, cursor: Cursor, typed: str, *, is_key: bool) -> None:
-        keys = cursor.keys
-        scalar = cursor.scalar
-        if is_key and scalar is not None and cursor.is_key:
-            self._keys(place_of(keys), cursor)
-            return
-        if is_key:  # nothing there yet: the item of a list, or a faulty text
-            self._keys(place_of(keys), cursor)
-            self._values(cursor)
-            return
-        self._values(cursor)
-
     # --- keys -------------------------------------------------------------------------------
 
     def _keys(self, place: Place, cursor: Cursor) -> None:
@@ -473,7 +450,10 @@ class Completion:
         pairs = cursor.mapping.pairs if cursor.mapping is not None else []
         present = {word_of(key.text) for key, _ in pairs} | _sizes_of_other_shapes(cursor)
         if place.name == "call":
-            self._arguments(place.call, present)
+            context = self._text.names.context_at(self._offset)
+            for function in self._program().functions(self._text, place.call, context):
+                items.add_parameters(function, present)
+            items.add_words("statement", ())
             return
         if place.name in (VALUE, DATA, "variables", "arguments", "functions", "groups", "import"):
             if place.name == "import":
@@ -509,13 +489,6 @@ class Completion:
         for space, place in program.in_namespaces(self._text):
             self._items.add_function(place, space=space)
 
-    def _arguments(self, call: str, present: object) -> None:
-        program = self._program()
-        context = self._text.names.context_at(self._offset)
-        for function in program.functions(self._text, call, context):
-            self._items.add_parameters(function, present)
-        self._items.add_words("statement", ())
-
     def _passed(self, cursor: Cursor, present: object) -> None:
         """Offer what may be passed to the file that an include names."""
         for key, value in cursor.mapping.pairs if cursor.mapping is not None else ():
@@ -549,13 +522,9 @@ class Completion:
             typed = self._line.rpartition(": ")[2].lstrip(" '\"[")
             self._items.add_values(self._program(), place, key, words, typed)
             if key[:1].isupper() or place.name == "call":
-                self._short_call(key)
-
-    def _short_call(self, name: str) -> None:
-        program = self._program()
-        context = self._text.names.context_at(self._offset)
-        for function in program.functions(self._text, name, context):
-            self._items.add_parameters(function, (), sign="=")
+                context = self._text.names.context_at(self._offset)
+                for function in self._program().functions(self._text, key, context):
+                    self._items.add_parameters(function, (), sign="=")
 
     # --- expressions ------------------------------------------------------------------------
 

@@ -126,17 +126,12 @@ class Renaming:
         node = declaration.node
         if isinstance(node, VariableEntry) and len(node.values) > 1:
             raise RequestFailed(f"'{name}' is given several times at {each.span.place()}")
-        if declaration.context.kind == FILE and declaration.kind in (VARIABLE, ARGUMENT):
-            self._check_passed(each)
-
-    def _check_passed(self, each: Place) -> None:
-        """Raise RequestFailed for what the settings pass, which would then be unknown."""
-        path, name = each.text.path, each.name
-        if self._workspace.mains_of(path) != [path]:
-            return
-        passed = [text.partition(":=")[0] for text in self._workspace.settings.arguments_of(path)]
-        if name in passed:
-            raise RequestFailed(f"'{name}' is passed by the settings of the editor")
+        path = each.text.path
+        is_of_file = declaration.context.kind == FILE and declaration.kind in (VARIABLE, ARGUMENT)
+        if is_of_file and self._workspace.mains_of(path) == [path]:
+            passed = self._workspace.settings.arguments_of(path)
+            if name in [text.partition(":=")[0] for text in passed]:  # which would be unknown then
+                raise RequestFailed(f"'{name}' is passed by the settings of the editor")
 
     def _check_new_name(self, new: str) -> None:
         assert self._place is not None
@@ -232,15 +227,12 @@ class Renaming:
             for old, new in renamed.items():
                 if fnmatchcase(old, each.name) != fnmatchcase(new, each.name):
                     raise RequestFailed(f"the pattern at {each.span.place()} would not fit")
-        elif self._has_prefixes() and any(each.name.endswith(old) for old in renamed):
-            raise RequestFailed(f"'{each.name}' may mean it, at {each.span.place()}")
-
-    def _has_prefixes(self) -> bool:
-        return any(
+        elif any(each.name.endswith(old) for old in renamed) and any(
             include.node.own_prefix is not None
             for text in self._program.texts
             for include in text.names.includes
-        )
+        ):
+            raise RequestFailed(f"'{each.name}' may mean it, at {each.span.place()}")
 
 
 def _pattern(text: str) -> Iterator[str]:

@@ -15,7 +15,7 @@ from .builds import Move
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Sequence
 
     from .builds import Result
     from .protocol import Json
@@ -50,12 +50,11 @@ def diagnostics_of(workspace: Workspace, path: str) -> list[Diagnostic]:
             moved = _moved(diagnostic, text)
             if moved is not None:
                 found.append(moved)
-    return _once(each for each in found if each.severity == ERROR or not _is_accepted(each))
-
-
-def _is_accepted(diagnostic: Diagnostic) -> bool:
-    """Return whether a comment accepts a warning; errors that may be accepted are so in builds."""
-    return is_accepted(diagnostic.code, diagnostic.span, diagnostic.trace)
+    once: dict[tuple[object, ...], Diagnostic] = {}
+    for each in found:  # errors that may be accepted are so in builds
+        if each.severity == ERROR or not is_accepted(each.code, each.span, each.trace):
+            once.setdefault((each.code, each.message, each.span.start, each.span.end), each)
+    return sorted(once.values(), key=lambda each: each.span.start)[:MOST]
 
 
 def settled(result: Result) -> list[Diagnostic]:
@@ -95,27 +94,16 @@ def _moved(diagnostic: Diagnostic, text: Text | None) -> Diagnostic | None:
         return None
     copy = diagnostic.copy()
     copy.span = Span(text.source, span.start + shift, span.end + shift)
-    copy.fix = None if diagnostic.fix is None else _shifted(diagnostic.fix, text, shift)
-    return copy
-
-
-def _shifted(fix: Fix, text: Text, shift: int) -> Fix | None:
-    """Return a fix for a text in which its places have moved; None if they hold something else."""
+    copy.fix = None
     edits = []
-    for edit in fix.edits:
-        span = Span(text.source, edit.span.start + shift, edit.span.end + shift)
-        if span.written() != edit.span.written():
-            return None
-        edits.append(Edit(span, edit.text))
-    return Fix(fix.title, edits, is_safe=fix.is_safe)
-
-
-def _once(diagnostics: Iterable[Diagnostic]) -> list[Diagnostic]:
-    """Return diagnostics without those that say the same of the same place."""
-    found: dict[tuple[object, ...], Diagnostic] = {}
-    for each in diagnostics:
-        found.setdefault((each.code, each.message, each.span.start, each.span.end), each)
-    return sorted(found.values(), key=lambda each: each.span.start)[:MOST]
+    for edit in diagnostic.fix.edits if diagnostic.fix is not None else ():
+        moved = Span(text.source, edit.span.start + shift, edit.span.end + shift)
+        if moved.written() != edit.span.written():
+            return copy  # there is something else now
+        edits.append(Edit(moved, edit.text))
+    if diagnostic.fix is not None:
+        copy.fix = Fix(diagnostic.fix.title, edits, is_safe=diagnostic.fix.is_safe)
+    return copy
 
 
 class Publisher:
@@ -155,12 +143,16 @@ def diagnostic_json(workspace: Workspace, diagnostic: Diagnostic, path: str) -> 
     severity = _ERROR if diagnostic.severity == ERROR else _WARNING
     if diagnostic.code == NEEDS_TRUST and diagnostic.message.startswith("this file needs trust"):
         severity = _INFORMATION
+    lines = [diagnostic.message]
+    if diagnostic.hint:
+        lines.append(f"hint: {diagnostic.hint}")
+    lines += [f"note: {note}" for note in diagnostic.notes[:20] if not _PLACED.match(note)]
     result: Json = {
         "range": workspace.range(span),
         "severity": severity,
         "code": diagnostic.code,
         "source": "yamaro",
-        "message": _message(diagnostic),
+        "message": "\n".join(lines),
     }
     described = help_uri(diagnostic.code)
     if described is not None:
@@ -172,14 +164,6 @@ def diagnostic_json(workspace: Workspace, diagnostic: Diagnostic, path: str) -> 
     if tag is not None:
         result["tags"] = [tag]
     return result
-
-
-def _message(diagnostic: Diagnostic) -> str:
-    lines = [diagnostic.message]
-    if diagnostic.hint:
-        lines.append(f"hint: {diagnostic.hint}")
-    lines += [f"note: {note}" for note in diagnostic.notes[:20] if not _PLACED.match(note)]
-    return "\n".join(lines)
 
 
 def _related(workspace: Workspace, diagnostic: Diagnostic) -> Sequence[Json]:

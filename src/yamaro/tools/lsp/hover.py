@@ -77,9 +77,16 @@ def _of_name(workspace: Workspace, program: Program, place: Place) -> list[str]:
     elif isinstance(node, Parameter):
         lines.append(f"`{node.text}`")
     elif isinstance(node, ArgumentEntry):
-        lines += _argument_lines(node)
+        from ..declared_arguments import about as about_argument
+        from ..declared_arguments import declared_of
+
+        argument = declared_of(node)
+        lines += [line for line in [about_argument(argument)] if line]
+        if argument.default_text is not None:
+            lines.append(f"default: `{argument.default_text}`")
     elif isinstance(node, VariableEntry):
-        written = _written(first.text, node)
+        line, _ = node.span.location()
+        written = first.text.source.line_text(line).strip().removeprefix("- ")[:200]
         if written:
             lines.append(f"```yaml\n{written}\n```")
     comment = first.text.comment_on(declared.span)
@@ -91,23 +98,6 @@ def _of_name(workspace: Workspace, program: Program, place: Place) -> list[str]:
     return lines
 
 
-def _argument_lines(entry: ArgumentEntry) -> list[str]:
-    from ..declared_arguments import about as about_argument
-    from ..declared_arguments import declared_of
-
-    declared = declared_of(entry)
-    lines = [about_argument(declared)]
-    if declared.default_text is not None:
-        lines.append(f"default: `{declared.default_text}`")
-    return [line for line in lines if line]
-
-
-def _written(text: Text, entry: VariableEntry) -> str:
-    """Return the line of a variable."""
-    line, _ = entry.span.location()
-    return text.source.line_text(line).strip().removeprefix("- ")[:200]
-
-
 def _values(workspace: Workspace, place: Place, found: list[Place]) -> Iterable[str]:
     """Return the values that a variable had in the last build, where it is read or set."""
     values: dict[str, None] = {}
@@ -116,8 +106,11 @@ def _values(workspace: Workspace, place: Place, found: list[Place]) -> Iterable[
             continue
         for each in found:
             values.update(values_set(result, each.text, each.declaration))
-        if not values and place.use is not None:
-            values.update(_read_around(result, place))
+        if not values and place.use is not None:  # what the scalar around it has read
+            scalar = cursor_at(place.text.root, place.span.start).scalar
+            if scalar is not None:
+                at = result.offset_then(place.text, scalar.start)
+                values.update(result.values.read.get((place.text.path, at, place.name), {}))
     return values
 
 
@@ -128,15 +121,6 @@ def values_set(result: Result, text: Text, declared: Declaration | None) -> Mapp
         return {}
     at = result.offset_then(text, span.start)
     return result.values.set.get((text.path, at, declared.name), {})
-
-
-def _read_around(result: Result, place: Place) -> dict[str, None]:
-    """Return the values that were read by the scalar around a place."""
-    scalar = cursor_at(place.text.root, place.span.start).scalar
-    if scalar is None:
-        return {}
-    at = result.offset_then(place.text, scalar.start)
-    return result.values.read.get((place.text.path, at, place.name), {})
 
 
 def _listed(values: Iterable[str]) -> str:

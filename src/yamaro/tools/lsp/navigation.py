@@ -134,7 +134,11 @@ def part_places(program: Program, part: Named | Reference) -> list[tuple[Span, b
     names = names_of_part(program, part)
     found = []
     for text in program.texts:
-        own = [(each.span, True) for each in text.parts.named if _meets(each, names)]
+        own = [
+            (each.span, True)
+            for each in text.parts.named
+            if each.name is not None and names & {each.name, each.link, each.joint}
+        ]
         own += [(each.span, False) for each in text.parts.references if each.name in names]
         found += sorted(own, key=lambda each: each[0].start)
     return found
@@ -149,12 +153,6 @@ def names_of_part(program: Program, part: Named | Reference) -> set[str]:
             return {part.name}
         part = meant[0]
     return {name for name in (part.name, part.link, part.joint) if name is not None}
-
-
-def _meets(named: Named, names: set[str]) -> bool:
-    return named.name is not None and not names.isdisjoint(
-        {named.name, named.link, named.joint} - {None}
-    )
 
 
 def is_written(place: Place) -> bool:

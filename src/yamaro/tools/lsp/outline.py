@@ -147,8 +147,10 @@ class _Symbols:
         *,
         detail: str = "",
     ) -> Json:
-        end = self._trimmed(key.end, value.end)
-        whole = range_of(key.source, key.start, end, self._encoding)
+        end = value.end
+        while end > key.end and self._text.text[end - 1 : end].isspace():
+            end -= 1
+        whole = range_of(key.source, key.start, max(key.end, end), self._encoding)
         symbol = {
             "name": name or "?",
             "kind": kind,
@@ -160,13 +162,6 @@ class _Symbols:
         if inner:
             symbol["children"] = inner
         return symbol
-
-    def _trimmed(self, start: int, end: int) -> int:
-        """Return where what ends at an offset ends without the white space behind it."""
-        text = self._text.text
-        while end > start and text[end - 1 : end].isspace():
-            end -= 1
-        return max(start, end)
 
     # --- XML --------------------------------------------------------------------------------
 
@@ -231,12 +226,10 @@ def folding_ranges(workspace: Workspace, parameters: Json) -> Json:
         kinds.update(dict.fromkeys(_comments(text), "comment"))
     found = sorted((start, end) for start, end in kinds if end > start)[:MOST]
     return [
-        {"startLine": start, "endLine": end, **_kind(kinds[start, end])} for start, end in found
+        {"startLine": start, "endLine": end}
+        | ({"kind": "comment"} if kinds[start, end] == "comment" else {})
+        for start, end in found
     ]
-
-
-def _kind(kind: str) -> Json:
-    return {"kind": kind} if kind == "comment" else {}
 
 
 def _line(text: Text, offset: int) -> int:

@@ -66,10 +66,13 @@ class Server:
                 after_in_parent=self._busy.release,
                 after_in_child=self._busy.release,
             )
-        gc.disable()  # looking through a long robot takes longer than to answer; see `_tidy`
+        gc.disable()  # looking through a long robot takes longer than to answer; see `_rest`
         while True:
             try:
-                kind, value = self._events.get(timeout=self._patience())
+                patience = 0.0 if self._edited else PARENT_INTERVAL
+                if self._due and not self._edited:
+                    patience = max(min(self._due.values()) - time.monotonic(), 0.0)
+                kind, value = self._events.get(timeout=patience)
             except queue.Empty:
                 kind, value = "pause", None
             try:
@@ -110,32 +113,20 @@ class Server:
 
     # --- what waits -------------------------------------------------------------------------
 
-    def _patience(self) -> float:
-        """Return how many seconds to wait for an event."""
-        if self._edited:
-            return 0.0
-        if not self._due:
-            return PARENT_INTERVAL
-        return max(min(self._due.values()) - time.monotonic(), 0.0)
-
     def _rest(self) -> bool:
         """Do what has waited for a pause; return whether the editor still runs."""
         edited, self._edited = self._edited, {}
         for path in edited:
             self._publish(path)
             self._touch(path, pause=self._workspace.settings.pause)
-        self._tidy()
+        is_idle = not (self._edited or self._due) and gc.get_count()[0] > FEW_OBJECTS
+        if is_idle or gc.get_count()[0] > MOST_OBJECTS:
+            gc.collect()
         now = time.monotonic()
         for main in [main for main, due in self._due.items() if due <= now]:
             del self._due[main]
             self._build(main)
         return edited != {} or self._due != {} or self._has_parent()
-
-    def _tidy(self) -> None:
-        """Free what refers to itself, if nothing else is to be done or there is a lot of it."""
-        is_idle = not (self._edited or self._due) and gc.get_count()[0] > FEW_OBJECTS
-        if is_idle or gc.get_count()[0] > MOST_OBJECTS:
-            gc.collect()
 
     def _has_parent(self) -> bool:
         if self._parent is None or os.name == "nt":

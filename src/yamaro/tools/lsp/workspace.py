@@ -468,18 +468,16 @@ def _files_in(folders: Sequence[str]) -> Iterator[str]:
             )
             for name in sorted(names):
                 path = os.path.join(where, name)
-                if name.lower().endswith((*YAML_ENDINGS, ".xacro")) and _is_small(path):
+                if name.lower().endswith((*YAML_ENDINGS, ".xacro")):
+                    try:
+                        if os.path.getsize(path) > MOST_BYTES:
+                            continue
+                    except OSError:
+                        continue
                     count += 1
                     if count > MOST_FILES:
                         return
                     yield path
-
-
-def _is_small(path: str) -> bool:
-    try:
-        return os.path.getsize(path) <= MOST_BYTES
-    except OSError:
-        return False
 
 
 def folders_of(parameters: Json) -> list[str]:

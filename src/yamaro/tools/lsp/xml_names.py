@@ -83,19 +83,15 @@ def definitions_in_xml(workspace: Workspace, text: Text, offset: int) -> list[Sp
             if name in names and kind in _DEFINES
         ]
     tag = word.removeprefix("xacro:").rpartition(":")[2].rpartition(".")[2]
-    wanted = ("xacro:macro",) if _is_tag(text, offset) else ("link", "joint", "material")
+    start = max(text.text.rfind("<", 0, offset), text.text.rfind("</", 0, offset))
+    is_tag = start >= 0 and not re.search(r"[\s>]", text.text[start:offset])
+    wanted = ("xacro:macro",) if is_tag else ("link", "joint", "material")
     return [
         span
         for each in texts
         for name, span, kind in defined_in(each)
         if name in (word, tag) and kind in wanted
     ]
-
-
-def _is_tag(text: Text, offset: int) -> bool:
-    """Return whether an offset is in the name of a tag."""
-    start = max(text.text.rfind("<", 0, offset), text.text.rfind("</", 0, offset))
-    return start >= 0 and not re.search(r"[\s>]", text.text[start:offset])
 
 
 def defined_in(text: Text) -> Iterator[tuple[str, Span, str]]:
@@ -133,10 +129,6 @@ def _written(workspace: Workspace, span: Span) -> list[str]:
         return []
     for element in elements_in(text.xml):
         if element.value_span("name").start == span.start:
-            return [f"```xml\n{_tag(element)}\n```"]
+            attributes = "".join(f' {name}="{value}"' for name, value in element.attributes.items())
+            return [f"```xml\n<{element.name}{attributes}>\n```"]
     return []
-
-
-def _tag(element: Element) -> str:
-    attributes = "".join(f' {name}="{value}"' for name, value in element.attributes.items())
-    return f"<{element.name}{attributes}>"

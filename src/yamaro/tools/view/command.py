@@ -58,9 +58,18 @@ def view(
     Raises:
         UsageError: an option makes no sense, or the port or the main file is not available.
     """
-    editor = _editor(options)
+    try:
+        editor = find_editor(options.editor, os.environ)
+    except ValueError as error:
+        raise UsageError(f"'--editor' takes a command: {error}") from None
     session = Session(rebuilder, editor=editor.name if editor is not None else None)
-    running = _server(session, options, editor)
+    try:
+        running = server.Server(
+            session, port=options.port, editor=editor, is_embedded=options.is_embedded
+        )
+    except OSError as error:
+        reason = error.strerror or error
+        raise UsageError(f"the port {options.port} is not available: {reason}") from None
     server.start(running)
     try:
         last = session.build()
@@ -78,23 +87,6 @@ def view(
                 last = turn
     finally:
         server.stop(running)
-
-
-def _editor(options: ViewOptions) -> Editor | None:
-    try:
-        return find_editor(options.editor, os.environ)
-    except ValueError as error:
-        raise UsageError(f"'--editor' takes a command: {error}") from None
-
-
-def _server(session: Session, options: ViewOptions, editor: Editor | None) -> server.Server:
-    try:
-        return server.Server(
-            session, port=options.port, editor=editor, is_embedded=options.is_embedded
-        )
-    except OSError as error:
-        reason = error.strerror or error
-        raise UsageError(f"the port {options.port} is not available: {reason}") from None
 
 
 def _tell(

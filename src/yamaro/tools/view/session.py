@@ -173,7 +173,11 @@ class Session:
             self._seconds = turn.seconds
             if robot is not None:
                 self._robot, self._fault = robot, None
-                self._has_more = self._has_others or self._includes(turn)
+                files = turn.build.files if turn.build is not None else []
+                main = os.path.abspath(self._path)
+                self._has_more = self._has_others or any(
+                    each.endswith((".yaml", ".yml")) and each != main for each in files
+                )
                 self._robot_version += 1
             else:
                 self._fault_places = Places()
@@ -197,12 +201,6 @@ class Session:
         self._rebuilder.also_watch([*robot.awaited, *files.paths.values()])
         self._files = [files, self._files[0]]
         return robot
-
-    def _includes(self, turn: Turn) -> bool:
-        """Return whether a YAML file took part that is not the main file."""
-        files = turn.build.files if turn.build is not None else []
-        main = os.path.abspath(self._path)
-        return any(each.endswith((".yaml", ".yml")) and each != main for each in files)
 
     def _read_fields(self) -> None:
         """Read which variables the main file has; of those changed in it, its values count.

@@ -327,7 +327,8 @@ class IncludedVariables:
             "name": declared.name,
             "values": list(dict.fromkeys(reading.value for reading in readings)),
             "why": self._why_fixed(declared, list(given.values())),
-            **_place(declared.span, places),
+            "place": places.number(declared.span),
+            "text": declared.span.place(),
         }
         return row if follow is None else {**row, "follows": follow}
 
@@ -387,10 +388,6 @@ def _declared_in(path: str, loader: Loader) -> list[Declared]:
         return declared_names(Source(text, name=path, path=path))
     except (LoadError, YamaroError):
         return []
-
-
-def _place(span: Span, places: Places) -> Json:
-    return {"place": places.number(span), "text": span.place()}
 
 
 def _place_of(span: Span) -> str:
