@@ -4,20 +4,19 @@ from __future__ import annotations
 
 from ..model.extras import CAMERAS, Ranger
 from ..model.joint import SINGLE, UNLIMITED
-from ..model.schema import ELEMENTS, RECORDS
+from ..model.schema import ELEMENTS
 from .gains import EFFORT, VELOCITY
 from .holding import SRDF_HINT, lost_fields
 from .output import APPROXIMATED, LOST, RENAMED, Loss
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Container, Mapping
+    from collections.abc import Container
 
     from ..model.extras import Actuator, Noted, Sensor
-    from ..model.joint import Joint
+    from ..model.joint import Dynamics, Joint, Limit
     from ..model.robot import Robot
     from ..model.values import Written
-    from .holding import Missing
 
 
 # --- sections -----------------------------------------------------------------------------------
@@ -90,14 +89,15 @@ def lost_of_joints(
         has_dynamics: which types of joints of no or several numbers have damping and friction.
         mimic_hint: what to do about joints that follow others.
     """
-    lost = {part: lost_fields(format, part) for part in RECORDS}
-    has_mimic = has_mimic and not lost["mimic"]
+    has_mimic = has_mimic and not lost_fields(format, "mimic")
     found: list[Loss] = []
+    of_dynamics: list[Loss] = []
     for joint in robot.joints.values():
         if robot.parent_joint(joint.child) is not joint:
             continue  # all of it is lost
         if joint.type in SINGLE:
-            found += _lost_limits(joint, lost["limit"])
+            found += _lost_values(joint, joint.limit, format)
+            of_dynamics += _lost_values(joint, joint.dynamics, format)
         else:
             found += _lost_numbers(joint, has_dynamics=joint.type in has_dynamics)
         if joint.mimic is not None and leader_of(robot, joint) is None:
@@ -112,21 +112,24 @@ def lost_of_joints(
             if part is not None:  # all of it is lost as one
                 found += [
                     _lost_in(joint, part, what)
-                    for what in dict.fromkeys(each.what for each in lost[name].values())
+                    for what in dict.fromkeys(
+                        each.what for each in lost_fields(format, name).values()
+                    )
                 ]
-    return found
+    return [*found, *of_dynamics]
 
 
-def _lost_limits(joint: Joint, lost: Mapping[str, Missing]) -> list[Loss]:
-    """Return the losses of values of a limit, unless they limit nothing."""
-    limit = joint.limit
-    if limit is None:
+def _lost_values(joint: Joint, part: Limit | Dynamics | None, format: str) -> list[Loss]:
+    """Return the losses of values of a limit or of dynamics, unless they change nothing."""
+    if part is None:
         return []
-    given = {name: limit.number(name) for name in lost}
+    thing = "limit" if part is joint.limit else "dynamics"
+    lost = lost_fields(format, thing)
+    given = {name: part.number(name) for name in lost}
     return [
-        _lost_in(joint, limit, lost[name].what, attribute=name)
+        _lost_in(joint, part, lost[name].what, attribute=name)
         for name, value in given.items()
-        if value is not None and abs(value) < UNLIMITED
+        if value is not None and (abs(value) < UNLIMITED if thing == "limit" else value != 0)
     ]
 
 

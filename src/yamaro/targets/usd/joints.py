@@ -13,7 +13,7 @@ from pxr import Gf, Sdf, Usd, UsdPhysics
 from ...model.joint import CONTINUOUS, FIXED, FLOATING, PLANAR, PRISMATIC, SINGLE
 from ...model.kinematics import WORLD
 from ...model.pose import Pose, multiply, rotation_about, rotation_from_z
-from ...model.schema import ACTUATOR, ELEMENTS
+from ...model.schema import ACTUATOR
 from ..gains import POSITION, VELOCITY, Gains
 from ..holding import lost_fields
 from ..output import APPROXIMATED, LOST, Loss
@@ -27,7 +27,6 @@ if TYPE_CHECKING:
     from ...model.link import Link
     from ...model.pose import Rotation, Vector
     from ...model.robot import Robot
-    from ...model.schema import Thing
     from ...model.values import Written
     from ...source import Span
     from ..bodies import Bodies
@@ -198,18 +197,13 @@ class JointWriter:
 
     def _lose_parts(self, joint: Joint) -> None:
         """Note what only USD has no place for."""
-        dynamics, actuator = joint.dynamics, self._robot.actuators.get(joint.name)
-        if dynamics is not None and joint.type in SINGLE:
-            self._lose_values(joint, ELEMENTS["dynamics"], dynamics)
-        if actuator is not None:
-            self.losses += lost_of_actuator(actuator)
-            self._lose_values(joint, ACTUATOR, actuator)
-
-    def _lose_values(self, joint: Joint, thing: Thing, part: Written) -> None:
-        """Note the values that are lost, as the rows say, unless they change nothing."""
-        for name, missing in lost_fields("usd", thing.name).items():
-            if getattr(part, name) not in (None, thing.fields[name].default or 0.0):
-                self._lose(joint, part, missing.what, name)
+        actuator = self._robot.actuators.get(joint.name)
+        if actuator is None:
+            return
+        self.losses += lost_of_actuator(actuator)
+        for name, missing in lost_fields("usd", "actuator").items():
+            if getattr(actuator, name) not in (None, ACTUATOR.fields[name].default or 0.0):
+                self._lose(joint, actuator, missing.what, name)
 
     def _lose(
         self,
