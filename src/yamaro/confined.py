@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from .request import Request
     from .result import Build
     from .sandbox.jail import JailError, JailLimits
-    from .sandbox.outcome import Document, Outcome
+    from .sandbox.transfer import Document, Outcome
 
     T = TypeVar("T")
 
@@ -126,7 +126,7 @@ def run_confined(
 
 def outcome_of_build(build: Build, *, has_root: bool) -> Outcome:
     """Return what leaves the jail of a build; with `has_root` the tree does too."""
-    from .sandbox.outcome import Document, Outcome
+    from .sandbox.transfer import Document, Outcome
     from .xml.tree import unshared
 
     return Outcome(
@@ -146,7 +146,7 @@ def outcome_of_build(build: Build, *, has_root: bool) -> Outcome:
 
 def _document_of(build: Build, first: Build, *, has_root: bool) -> Document:
     """Return what leaves the jail of a build in a format; `first` is that of the first format."""
-    from .sandbox.outcome import Document
+    from .sandbox.transfer import Document
     from .targets.losses import packed
     from .xml.tree import unshared
 

@@ -350,3 +350,27 @@ def did_you_mean(word: str, candidates: Iterable[str]) -> Meant | None:
     """Return the hint "did you mean 'x'?", or None when nothing is near."""
     near = suggest(word, candidates)
     return Meant.of(word, near) if near else None
+
+
+def meant(
+    word: str, candidates: Iterable[str], span: Span, *, is_safe: bool = False
+) -> tuple[str | None, Fix | None]:
+    """Return the hint "did you mean 'x'?" and the fix that writes it; None when nothing is near.
+
+    Args:
+        word: what is written somewhere in the span.
+        candidates: what it could mean.
+        span: the place of the diagnostic.
+        is_safe: whether the candidates are all words of the language, not names of the user's.
+    """
+    near = suggest(word, candidates)
+    if near is None:
+        return None, None
+    from .fixes import respelling
+
+    return f"did you mean '{near}'?", respelling(span, word, near, is_safe=is_safe)
+
+
+def meant_word(word: str, words: Iterable[str], span: Span) -> tuple[str | None, Fix | None]:
+    """Return hint and fix as `meant` does, for a word of the language: the fix is safe."""
+    return meant(word, words, span, is_safe=True)

@@ -17,7 +17,7 @@ from .result import Build
 from .runtime.interpreter import Interpreter
 from .runtime.predefined import TARGET as URDF
 from .runtime.statements import HANDLERS
-from .runtime.yaml_main import run_yaml_main
+from .runtime.yaml_main import run_yaml_main, warn_of_unread, warn_of_unread_includes
 from .xml.tree import Element
 from .xml.writer import write_pieces
 
@@ -301,8 +301,6 @@ def evaluate(request: Request, interpreter: Interpreter) -> Element:
             interpreter, request.source, stem=request.stem, variables=variables, places=places
         )
     if not is_xacro and (places or interpreter.passed):  # xacro's own rules are another matter
-        from .runtime.yaml_main import warn_of_unread, warn_of_unread_includes
-
         warn_of_unread(places, interpreter.files, reporter)
         if interpreter.passed:
             warn_of_unread_includes(interpreter.passed.values(), interpreter.files, reporter)

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from .files.readable import Reach
     from .options import AllOptions, BuildOptions
     from .result import Build
-    from .sandbox.outcome import Outcome
+    from .sandbox.transfer import Outcome
     from .source import Source
 
     T = TypeVar("T")
@@ -91,7 +91,7 @@ class Program(Public):
             return
 
         def parse_there(program: Program, say: Say) -> Outcome:
-            from .sandbox.outcome import Outcome
+            from .sandbox.transfer import Outcome
 
             program._parse(source, reporter)
             return Outcome(diagnostics=reporter.diagnostics)
@@ -262,7 +262,7 @@ class Program(Public):
     ) -> Outcome:
         """Return the result of a conversion that is run in a jail, in safe mode if that will do."""
         from .confined import run_confined
-        from .sandbox.outcome import Outcome
+        from .sandbox.transfer import Outcome
 
         def run(program: Program) -> Outcome:
             def work_there(say: Say) -> Outcome:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .source import Public
+from .source import Public, html_of
 from .xml.tree import unshared
 
 TYPE_CHECKING = False
@@ -184,8 +184,6 @@ class Build(Public):
 
     def _repr_html_(self) -> str:
         """Return what a notebook shows: the robot in 3D, or the text of another document."""
-        from .display import html_of
-
         return html_of(self)
 
     def _tree(self) -> Element:

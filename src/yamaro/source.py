@@ -10,6 +10,7 @@ from __future__ import annotations
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import Any
 
 STANDARD_INPUT = "-"
@@ -228,3 +229,14 @@ def holds_xml(path: str, data: bytes | str) -> bool:
     else:
         start = data.lstrip(b"\xef\xbb\xbf\xff\xfe\0 \t\r\n").decode("latin-1").replace("\0", "")
     return start.startswith("<") and not start.partition(">")[2].startswith(":")
+
+
+def html_of(result: object) -> str:
+    """Return the HTML that shows a `Build` or `Robot` in a notebook.
+
+    A tool makes it, which results lie below, and may not import: so it is named here.
+    """
+    from importlib import import_module
+
+    show: Callable[[object], str] = import_module("yamaro.tools.notebook.page").html_of
+    return show(result)

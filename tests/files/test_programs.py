@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from yamaro.files.programs import find_program
+from yamaro.files.regular import find_program
 
 COMMAND = Path(__file__).parents[2] / "editors" / "vscode" / "src" / "command.js"
 

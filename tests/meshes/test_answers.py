@@ -11,10 +11,9 @@ import trimesh
 from hypothesis import given
 from hypothesis import strategies as st
 
-from yamaro.meshes.answers import _packed, read_packed, unpacked
 from yamaro.meshes.formats import MeshFileError, MissingLibraryError
-from yamaro.meshes.surfaces import Surface
-from yamaro.sandbox.jail.limits import JailAnswerBroken
+from yamaro.meshes.surfaces import Surface, _packed, read_packed, unpacked
+from yamaro.sandbox.jail.protocol import JailAnswerBroken
 
 
 def square() -> Surface:
@@ -28,7 +27,7 @@ def square() -> Surface:
 
 
 def sent(surface: Surface) -> list[Surface]:
-    from yamaro.sandbox.jail.packing import pack
+    from yamaro.sandbox.jail.protocol import pack
 
     return unpacked(pack([b"s", b"", _packed(surface)]))
 

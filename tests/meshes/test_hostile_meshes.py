@@ -28,10 +28,9 @@ from tests.hostile.hostile_meshes import (
     threemf,
 )
 from yamaro.files.readable import Reach
-from yamaro.meshes.answers import read_packed, unpacked
 from yamaro.meshes.formats import MeshFileError
 from yamaro.meshes.library import read_bodies
-from yamaro.meshes.surfaces import MeshSurfaces
+from yamaro.meshes.surfaces import MeshSurfaces, read_packed, unpacked
 from yamaro.meshes.triangles import read_mesh
 
 posix = pytest.mark.skipif(sys.platform == "win32", reason="needs FIFOs and links")
@@ -140,7 +139,7 @@ def test_an_eps_named_png_started_ghostscript(name: str, kind: str, folder: Path
     (folder / "m.mtl").write_bytes(TEXTURED_MTL)
     (folder / "wood.png").write_bytes(TEXTURES[name])
     code = (
-        "import sys; from yamaro.meshes.answers import *;"
+        "import sys; from yamaro.meshes.surfaces import *;"
         "print(len(unpacked(read_packed(sys.argv[1], None))))"
     )
     environ = {**os.environ, "PATH": f"{tools}:{os.environ['PATH']}"}

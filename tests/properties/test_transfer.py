@@ -18,8 +18,7 @@ from yamaro.policy import Limits
 from yamaro.rendering import render
 from yamaro.sandbox.deep_stack import run_on_deep_stack
 from yamaro.sandbox.jail import JailAnswerBroken, pack, unpack
-from yamaro.sandbox.outcome import Outcome
-from yamaro.sandbox.transfer import from_bytes, to_bytes
+from yamaro.sandbox.transfer import Outcome, from_bytes, to_bytes
 from yamaro.source import Source, Span
 from yamaro.xml.tree import Comment, Element, Text
 from yamaro.xml.writer import write

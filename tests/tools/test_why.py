@@ -16,8 +16,7 @@ from trimesh.transformations import euler_matrix
 
 from yamaro import build
 from yamaro.commands.main import main
-from yamaro.sandbox.outcome import Outcome
-from yamaro.sandbox.transfer import from_bytes, to_bytes
+from yamaro.sandbox.transfer import Outcome, from_bytes, to_bytes
 from yamaro.source import Reading, RecordedSpan, Source, Span
 from yamaro.tools.why import Answer, addresses, answer
 from yamaro.xml.tree import Element, Text

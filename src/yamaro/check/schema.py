@@ -366,7 +366,7 @@ def _check_unknown_attribute(
         )
         fix = None
     else:
-        from ..suggestions import meant
+        from ..diagnostics import meant
 
         absent = [known for known in rule.fields if known not in element.attributes]
         near, fix = meant(name, absent, element.name_span(name))
@@ -465,7 +465,7 @@ def _hint_for_stray(
     child: Element, element: Element, present: set[str], rule: Thing
 ) -> tuple[str, Fix | None]:
     """Return what to write for an element that URDF does not have there, and perhaps the fix."""
-    from ..suggestions import meant
+    from ..diagnostics import meant
 
     name = child.name
     if name in rule.fields:

@@ -78,7 +78,7 @@ def _files(words: list[str]) -> list[str]:
     """
     import os
 
-    from ..files.folders import ROBOT_ENDINGS, files_below
+    from ..files.regular import ROBOT_ENDINGS, files_below
 
     found: list[str] = []
     for word in words:

@@ -12,6 +12,7 @@ from io import BufferedReader, FileIO
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Iterator
     from typing import Any
 
 _FLAGS = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
@@ -146,3 +147,48 @@ def _is_device(path: str) -> bool:
         return os.stat(path).st_mode & _TYPE in _DEVICES
     except OSError:  # opening it says why
         return False
+
+
+# --- files below a folder ---------------------------------------------------------------------
+
+
+ROBOT_ENDINGS = (".urdf.yaml", ".urdf.yml", ".yamaro.yaml", ".yamaro.yml")
+"""How the names of files end that are for Yamaro; other YAML files may be for anything."""
+SKIPPED_FOLDERS = frozenset(("build", "install", "log", "node_modules", "__pycache__"))
+"""Folders of what is built or installed. Hidden ones are skipped as well."""
+
+
+def files_below(folder: str, endings: tuple[str, ...]) -> Iterator[str]:
+    """Yield the files in a folder and below with these endings, in the order of their names."""
+    for inner, folders, names in os.walk(folder):
+        folders[:] = sorted(
+            name for name in folders if name[0] != "." and name not in SKIPPED_FOLDERS
+        )
+        for name in sorted(names):
+            path = os.path.normpath(os.path.join(inner, name))
+            if name.endswith(endings) and os.path.isfile(path):  # no pipe, socket or device
+                yield path
+
+
+# --- programs, which are never looked for in the working directory ----------------------------
+
+
+def find_program(name: str, path: str | None = None) -> str | None:
+    """Return the path of a program, or None if there is none.
+
+    Args:
+        name: what it is called; a name with a folder is returned as it is.
+        path: the folders to search, by default those of PATH; relative ones are passed over.
+    """
+    if os.path.dirname(name):
+        return name
+    endings = [""]
+    if os.name == "nt":
+        known = os.environ.get("PATHEXT", ".COM;.EXE;.BAT;.CMD").lower().split(os.pathsep)
+        endings = endings if os.path.splitext(name)[1].lower() in known else known
+    for folder in (os.environ.get("PATH", "") if path is None else path).split(os.pathsep):
+        for ending in endings if os.path.isabs(folder) else ():
+            found = os.path.join(folder, name + ending)
+            if os.path.isfile(found) and os.access(found, os.X_OK):
+                return found
+    return None

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..files.regular import read_start
-from .bounds import MOST_PLACED, check_bounds, path_of
+from .bounds import MOST_PLACED, check_bounds, path_of, stored_threemf
 from .formats import (
     GLB,
     GLTF,
@@ -26,7 +26,6 @@ from .formats import (
     MissingLibraryError,
     image_format,
 )
-from .xml_bounds import stored_threemf
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator

@@ -5,7 +5,7 @@ STL (binary and ASCII) and OBJ are read here, without any library; other formats
 
 from __future__ import annotations
 
-from ..files.regular import read_start
+from ..files.regular import open_regular, read_start
 from .formats import (
     LARGEST_FILE,
     NO_TRIANGLES,
@@ -186,8 +186,6 @@ def mesh_extent(path: str, scale: tuple[float, ...]) -> float | None:
     """
     import os
     from math import isfinite
-
-    from ..files.regular import open_regular
 
     if not path.lower().endswith((".stl", ".obj")):
         return None

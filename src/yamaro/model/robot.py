@@ -334,7 +334,7 @@ class Robot(Written):
 
     def _repr_html_(self) -> str:
         """Return what a notebook shows: the robot in 3D."""
-        from ..display import html_of
+        from ..source import html_of
 
         return html_of(self)
 

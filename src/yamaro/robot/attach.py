@@ -177,7 +177,7 @@ def _place_at(
     links = names_of(robot, "link")
     link = name if name in links else parts.get(name)
     if link is None:
-        from ..suggestions import meant
+        from ..diagnostics import meant
 
         hint, fix = meant(name, (*links, *parts), place_of(at))
         raise failure(

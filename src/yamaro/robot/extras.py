@@ -137,7 +137,7 @@ def _kind(word: Element, keys: dict[str, Element], types: Mapping[str, Thing]) -
         return kind
     other = JOINT_SENSORS if types is LINK_SENSORS else LINK_SENSORS
     home = "joint" if other is JOINT_SENSORS else "link"
-    from ..suggestions import meant_word
+    from ..diagnostics import meant_word
 
     hint, fix = (None, None) if kind in other else meant_word(kind, types, span)
     raise failure(
@@ -161,7 +161,7 @@ def _check_keys(keys: dict[str, Element], kind: str, types: Mapping[str, Thing])
         if name in known:
             continue
         others = [other for other, thing in types.items() if name in thing.fields]
-        from ..suggestions import meant_word
+        from ..diagnostics import meant_word
 
         hint, fix = (None, None) if others else meant_word(name, known, key.span)
         raise failure(

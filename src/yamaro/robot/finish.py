@@ -251,7 +251,7 @@ def _check_joint(lowering: Lowering, names: _Names, note: Element) -> bool:
     name = str(note.attributes["joint"])
     joint = names.joints.get(name)
     if joint is None:
-        from ..suggestions import meant
+        from ..diagnostics import meant
 
         hint, fix = meant(name, list(names.joints), note.value_span("joint"))
         _error(
@@ -284,7 +284,7 @@ def _check_joint(lowering: Lowering, names: _Names, note: Element) -> bool:
 
 def _unknown_link(lowering: Lowering, note: Element, attribute: str, known: set[str]) -> None:
     name = str(note.attributes[attribute])
-    from ..suggestions import meant
+    from ..diagnostics import meant
 
     span = note.value_span(attribute)
     hint, fix = meant(name, list(known), span)

@@ -49,7 +49,7 @@ def check_keys(word: Element, known: Collection[str], *, hint: str = "") -> None
     """
     for key in word.elements():
         if key.name not in known or key.verbatim:
-            from ..suggestions import meant_word
+            from ..diagnostics import meant_word
 
             near, fix = meant_word(key.name, known, key.span)
             raise failure(
@@ -269,7 +269,7 @@ def chosen(word: str, span: Span, key: Element, choices: Sequence[str]) -> str:
     """
     if word in choices:
         return word
-    from ..suggestions import meant_word
+    from ..diagnostics import meant_word
 
     hint, fix = meant_word(word, choices, span)
     raise failure(

@@ -163,7 +163,7 @@ def _unknown(
     include: IncludeNode | None,
 ) -> list[Diagnostic]:
     """Return an error for each name that is passed and not declared."""
-    from ..suggestions import meant
+    from ..diagnostics import meant
 
     known = {entry.name: None for entry in entries}
     faults = []

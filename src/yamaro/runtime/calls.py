@@ -78,7 +78,7 @@ def find_function(
     from .python_errors import notes_on
 
     notes = notes_on(f"the function '{last}'", where_declared(last), span)
-    from ..suggestions import meant
+    from ..diagnostics import meant
 
     hint, fix = meant(name, function_names(scope), span)
     if hint is None and name.lower() in STATEMENTS:
@@ -206,7 +206,7 @@ def _parameter_of(
         )
     parameter = parameters.get(argument.name)
     if parameter is None:
-        from ..suggestions import meant
+        from ..diagnostics import meant
 
         hint, fix = meant(argument.name, parameters, argument.span)
         raise _bad_call(

@@ -380,7 +380,7 @@ class Files:
         except LoadError as error:
             neighbours = self._library.loader.neighbours(absolute)
             likely = [name for name in neighbours if name.endswith((".yaml", ".yml"))]
-            from ..suggestions import meant
+            from ..diagnostics import meant
 
             hint, fix = meant(os.path.basename(absolute), likely or neighbours, span)
             raise failure(

@@ -132,8 +132,8 @@ class Explainer:
     def _undefined(self, name: str, span: Span, scope: Scope, frame: Frame | None) -> YamaroError:
         # Where the name is declared says more than what other names look like it.
         notes = notes_on(f"'{name}'", self._where_declared(name), span)
+        from ..diagnostics import meant
         from ..fixes import respelling
-        from ..suggestions import meant
 
         hint, fix = (None, None) if notes else meant(name, variable_names(scope), span)
         if name.lower() in YAML_1_1_BOOLEANS and len(name) > 1:  # n is the name of a number

@@ -135,7 +135,7 @@ def warn_of_unread(places: Mapping[str, Span], files: Files, reporter: Reporter)
             known |= {argument.name or "" for argument in include.node.arguments}
     for name in unread:
         if name not in known:
-            from ..suggestions import meant
+            from ..diagnostics import meant
 
             span = places[name]
             hint, fix = meant(name, _variables(known), span)
@@ -165,7 +165,7 @@ def warn_of_unread_includes(includes: Iterable[Passed], files: Files, reporter: 
             name = argument.name or ""
             if name in known:
                 continue
-            from ..suggestions import meant
+            from ..diagnostics import meant
 
             hint, fix = meant(name, _variables(known | read - _ALWAYS_KNOWN), argument.span)
             if hint is None and name == "prefix":

@@ -285,7 +285,7 @@ def _refuse_beside_model(span: Span, model: Span, context: ParseContext) -> None
     """Raise YamaroError for a root element, or a key taken for one, beside `model:`."""
     if any(error.code == "two-roots" for error in context.errors):
         return
-    from ..suggestions import meant
+    from ..diagnostics import meant
 
     hint, fix = meant(span.written(), [ARGUMENTS], span)
     raise failure(

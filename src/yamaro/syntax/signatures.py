@@ -35,7 +35,7 @@ def split_scope(key: ScalarNode, what: str) -> tuple[int, str]:
         return len(text), "local"
     scope = text[slash + 1 :].strip()
     if scope not in SCOPES:
-        from ..suggestions import meant_word
+        from ..diagnostics import meant_word
 
         span = key.span(slash + 1) if scope else key.span()
         hint, fix = meant_word(scope, SCOPES, span)

@@ -674,7 +674,7 @@ def refuse_at_root(key: ScalarNode) -> None:
             key.span(),
             hint="move it under `model:` or into the body of a function",
         )
-    from ..suggestions import meant_word
+    from ..diagnostics import meant_word
 
     hint, fix = meant_word(word, ROOT_STATEMENTS, key.span())
     raise failure(

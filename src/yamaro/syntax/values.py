@@ -171,7 +171,7 @@ def _entries_hint(text: str, known: Sequence[str]) -> str:
 
 
 def _unknown_entry(what: str, key: ScalarNode, known: Sequence[str]) -> YamaroError:
-    from ..suggestions import meant_word
+    from ..diagnostics import meant_word
 
     hint, fix = meant_word(key.text, known, key.span())
     return failure(

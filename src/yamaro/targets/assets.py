@@ -11,8 +11,7 @@ import os
 from ..files.regular import read_start
 from ..meshes.bounds import MOST_NAMES, check_bounds, names_in_materials, path_of
 from ..meshes.formats import DAE, GLTF, LARGEST_FILE, OBJ, MeshFileError, mesh_format
-from ..sandbox.jail.limits import JailError
-from ..sandbox.jail.packing import pack, unpack
+from ..sandbox.jail.protocol import JailError, pack, unpack
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ import os
 
 from ..files.regular import read_start
 from ..meshes.formats import LARGEST_FILE, MeshFileError, MissingLibraryError, mesh_format
-from ..sandbox.jail.limits import JailError
+from ..sandbox.jail.protocol import JailError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -82,7 +82,7 @@ class MeshContents:
         key = self._key(path)
         if key not in self._surfaces:
             try:
-                from ..meshes.answers import read_packed, unpacked
+                from ..meshes.surfaces import read_packed, unpacked
             except ImportError as error:
                 raise MissingLibraryError(error.name or str(error)) from error
 
@@ -103,7 +103,7 @@ class MeshContents:
             MeshFileError: it cannot be read.
             MissingLibraryError: its format needs a library that is not installed.
         """
-        from ..meshes.images import is_png, png_of
+        from ..meshes.encoding import is_png, png_of
 
         data = self.bytes_of(path)
         if is_png(data):

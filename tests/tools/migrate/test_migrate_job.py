@@ -12,9 +12,8 @@ from yamaro import UsageError, YamaroError, convert
 from yamaro.commands.main import main
 from yamaro.policy import Policy
 from yamaro.sandbox import jail
-from yamaro.sandbox.jail.packing import pack
-from yamaro.sandbox.outcome import Outcome
-from yamaro.sandbox.transfer import to_bytes
+from yamaro.sandbox.jail.protocol import pack
+from yamaro.sandbox.transfer import Outcome, to_bytes
 from yamaro.source import Source
 from yamaro.tools.migrate.job import Job
 

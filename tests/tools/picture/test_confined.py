@@ -16,7 +16,7 @@ from tests.tools.picture.drawing import needs_drawing
 from tests.waiting import PATIENCE
 from yamaro.confined import Reader
 from yamaro.diagnostics import YamaroError
-from yamaro.meshes.answers import read_packed
+from yamaro.meshes.surfaces import read_packed
 from yamaro.policy import Policy
 from yamaro.sandbox.jail import check_available
 from yamaro.tools.picture import meshes

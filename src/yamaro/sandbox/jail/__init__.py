@@ -13,7 +13,8 @@ from __future__ import annotations
 
 import sys
 
-from .limits import (
+from .protocol import (
+    KEPT_VARIABLES,
     JailAbandoned,
     JailAnswerBroken,
     JailAnswerTooLong,
@@ -26,9 +27,10 @@ from .limits import (
     JailTooManyThreads,
     JailUnavailable,
     JailWorkFailed,
+    pack,
+    python_folders,
+    unpack,
 )
-from .packing import pack, unpack
-from .surroundings import KEPT_VARIABLES, python_folders
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -14,7 +14,6 @@ import sys
 
 from . import landlock, seccomp
 from .calls import Architecture, call, check, here, libc
-from .packing import pack
 from .protocol import (
     ANSWER,
     FAILED,
@@ -23,6 +22,7 @@ from .protocol import (
     NO_JAIL,
     OUT_OF_MEMORY,
     READY,
+    pack,
 )
 
 TYPE_CHECKING = False
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
     from typing import NoReturn
 
-    from .limits import JailLimits
+    from .protocol import JailLimits
 
 _PR_SET_PDEATHSIG = 1
 _PR_SET_NO_NEW_PRIVS = 38

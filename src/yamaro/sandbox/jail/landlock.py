@@ -7,8 +7,7 @@ import os
 import struct
 
 from .calls import call, check, lift
-from .limits import JailUnavailable
-from .surroundings import covers
+from .protocol import JailUnavailable, covers
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

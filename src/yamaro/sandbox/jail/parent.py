@@ -16,7 +16,14 @@ from . import landlock, seccomp
 from .calls import architecture, here, lift
 from .child import Cell, live_in_jail
 from .landlock import Ruleset
-from .limits import (
+from .protocol import (
+    ANSWER,
+    FAILED,
+    HEADER,
+    LONGEST_REASON,
+    MEMORY,
+    NO_JAIL,
+    READY,
     JailAbandoned,
     JailAnswerBroken,
     JailAnswerTooLong,
@@ -28,15 +35,14 @@ from .limits import (
     JailTooManyThreads,
     JailUnavailable,
     JailWorkFailed,
+    unpack,
 )
-from .packing import unpack
-from .protocol import ANSWER, FAILED, HEADER, LONGEST_REASON, MEMORY, NO_JAIL, READY
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from .limits import JailLimits
+    from .protocol import JailLimits
 
 _WATCH_INTERVAL = 0.02
 """Seconds between two looks at how many threads the child has: Linux has no limit of its own for

@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import hypot
 from struct import Struct, iter_unpack
 
+from ...meshes.encoding import obj_of, obj_of_triangles, stl_of
 from ...meshes.formats import (
     NO_TRIANGLES,
     OBJ,
@@ -13,8 +14,7 @@ from ...meshes.formats import (
     MeshFileError,
     is_binary_stl,
 )
-from ...meshes.obj import obj_of, obj_of_triangles, stl_of
-from ...sandbox.jail.packing import pack, unpack
+from ...sandbox.jail.protocol import pack, unpack
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -190,7 +190,7 @@ def _part(surfaces: list[Surface]) -> Part:
     has_texture = first.texture is not None and first.texture_points is not None
     part = Part(obj_of(surfaces, has_texture=has_texture), ".obj")
     if has_texture:
-        from ...meshes.images import encoded
+        from ...meshes.encoding import encoded
 
         assert first.texture is not None
         part.texture = encoded(first.texture)

@@ -11,7 +11,7 @@ import os
 import subprocess
 import tempfile
 
-from ...files.programs import find_program
+from ...files.regular import find_program
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

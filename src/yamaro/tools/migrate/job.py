@@ -12,10 +12,8 @@ from ...request import finder_for, reach_of
 from ...runtime.xml_files import is_named_xacro, read_included, xacro_in_safe_mode
 from ...sandbox.deadline import TimeOver, run_within
 from ...sandbox.deep_stack import run_on_deep_stack
-from ...sandbox.jail.limits import JailAnswerBroken, JailUnavailable
-from ...sandbox.jail.packing import pack, unpack
-from ...sandbox.outcome import Outcome
-from ...sandbox.transfer import from_bytes, to_bytes
+from ...sandbox.jail.protocol import JailAnswerBroken, JailUnavailable, pack, unpack
+from ...sandbox.transfer import Outcome, from_bytes, to_bytes
 from . import urdf as command
 from .xacro import command as xacro_command
 

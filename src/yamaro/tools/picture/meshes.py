@@ -7,10 +7,9 @@ from typing import TYPE_CHECKING
 from ...check.context import label
 from ...check.files import is_local
 from ...diagnostics import WARNING, Diagnostic
-from ...meshes.answers import read_packed, unpacked
 from ...meshes.formats import MeshFileError, MissingLibraryError
-from ...sandbox.jail.limits import JailAnswerBroken, JailError
-from ...sandbox.jail.packing import pack, unpack
+from ...meshes.surfaces import read_packed, unpacked
+from ...sandbox.jail.protocol import JailAnswerBroken, JailError, pack, unpack
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Collection, Sequence

@@ -9,8 +9,8 @@ from __future__ import annotations
 import os
 
 from ...diagnostics import Diagnostic, Reporter, YamaroError, did_you_mean, failure
-from ...files.folders import files_below
 from ...files.loader import FileLoader, LoadError, decode
+from ...files.regular import files_below
 from ...policy import UNSAFE
 from ...runtime.predefined import plain_data
 from ...syntax.context import ParseContext

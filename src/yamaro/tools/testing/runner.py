@@ -154,7 +154,7 @@ class Runner:
         """Return which expectations are not met; they are evaluated in a jail if there is one."""
         if not case.expectations:
             return []
-        from ...sandbox.outcome import Outcome
+        from ...sandbox.transfer import Outcome
         from .expectations import Expectations
 
         robot = build.robot if build.root_name == "robot" else None

@@ -8,7 +8,7 @@ import subprocess
 import threading
 import time
 
-from ...files.programs import find_program
+from ...files.regular import find_program
 from ...options import UsageError
 from ...terminal import shortened
 from ..rebuilding import count_told

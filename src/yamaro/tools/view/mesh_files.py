@@ -37,8 +37,7 @@ from ...meshes.formats import (
     mesh_format,
     unreadable,
 )
-from ...sandbox.jail.limits import JailError
-from ...sandbox.jail.packing import pack, unpack
+from ...sandbox.jail.protocol import JailError, pack, unpack
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

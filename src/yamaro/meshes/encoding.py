@@ -1,11 +1,12 @@
-"""Surfaces as Wavefront OBJ, triangles as binary STL: what simulators read without libraries."""
+"""What simulators read without libraries: surfaces as OBJ, triangles as STL, images as PNG."""
 
 from __future__ import annotations
 
 import struct
+import zlib
 from itertools import chain
 
-from .formats import STL_HEADER_BYTES
+from .formats import PNG, STL_HEADER_BYTES, MeshFileError, MissingLibraryError, image_format
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -61,4 +62,57 @@ def stl_of(mesh: TriangleMesh) -> bytes:
     for triangle in mesh.triangles:
         corners = chain.from_iterable(vertices[index] for index in triangle)
         pieces.append(facet.pack(0.0, 0.0, 0.0, *corners))
+    return b"".join(pieces)
+
+
+# --- images as PNG ----------------------------------------------------------------------------
+
+
+_SIGNATURE = b"\x89PNG\r\n\x1a\n"
+_BITS, _RGB = 8, 2
+
+
+def is_png(data: bytes) -> bool:
+    """Return whether bytes are a PNG, by how they begin."""
+    return image_format(data[:64]) == PNG
+
+
+def png_of(data: bytes) -> bytes:
+    """Return an image of another format as PNG; the bytes may be those of an untrusted file.
+
+    Raises:
+        MeshFileError: it is not an image, or has too many pixels.
+        MissingLibraryError: Pillow is not installed.
+    """
+    try:
+        import numpy as np
+        import PIL.Image
+
+        from .library import open_image
+    except ImportError as error:
+        raise MissingLibraryError(error.name or str(error)) from error
+    try:
+        return encoded(np.asarray(open_image(data, PIL.Image.open).convert("RGB")))
+    except MeshFileError:
+        raise
+    except Exception as error:
+        raise MeshFileError(f"it is broken: {error}") from error
+
+
+def encoded(pixels: NDArray[Any]) -> bytes:
+    """Return pixels as PNG, the same bytes for the same pixels whatever is installed.
+
+    Args:
+        pixels: H×W×3 from 0 to 255, the first row on top.
+
+    Source: Portable Network Graphics (PNG) Specification, 2nd edition, 5 and 11.2.
+    """
+    height, width, _ = pixels.shape
+    rows = b"".join(b"\0" + pixel_row.tobytes() for pixel_row in pixels.astype("u1"))
+    head = struct.pack(">IIBBBBB", width, height, _BITS, _RGB, 0, 0, 0)
+    chunks = ((b"IHDR", head), (b"IDAT", zlib.compress(rows, 9)), (b"IEND", b""))
+    pieces = [_SIGNATURE]
+    for kind, data in chunks:
+        check = zlib.crc32(kind + data)
+        pieces += [struct.pack(">I", len(data)), kind, data, struct.pack(">I", check)]
     return b"".join(pieces)
