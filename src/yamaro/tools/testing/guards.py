@@ -26,6 +26,7 @@ from ...model.link import Collision, Inertial, Link, Material, Visual
 from ...model.pose import Pose
 from ...model.robot import Frame, Robot
 from ...model.shapes import Box, Capsule, Cylinder, Mesh, Sphere
+from ...model.values import ByName
 from ...safe.runtime import SafeRuntime
 from ...safe.values import Function, a_type, function
 
@@ -129,7 +130,8 @@ class ModelRuntime(SafeRuntime):
         if known is None:
             return super().attribute(owner, name)
         if name in known:
-            return getattr(owner, name)
+            value = getattr(owner, name)  # safe mode knows what things are by name as a dict
+            return dict(value) if isinstance(value, ByName) else value
         methods = METHODS.get(kind, frozenset())
         if name in methods:
             return self._method(owner, name)
