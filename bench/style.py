@@ -28,9 +28,9 @@ import yamaro
 from tests.fenced import read_blocks
 from tests.golden import find_cases, read_options
 from tests.tools.test_format import build_of, laid_out
+from yamaro.layout import formatted
 from yamaro.policy import Limits
 from yamaro.source import Source
-from yamaro.tools.format.formatting import formatted
 from yamaro.tools.migrate.urdf import migrate_file
 from yamaro.tools.migrate.xacro.command import migrate_robot
 from yamaro.xml.reader import decode_xml

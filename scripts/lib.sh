@@ -38,7 +38,7 @@ apt_install() {
 
 # What OpenGL needs to draw in software, without a display.
 opengl='libegl1 libgl1-mesa-dri'
-draws() { python -c 'from yamaro.tools.picture.window import make_window; make_window()' >/dev/null 2>&1; }
+draws() { python -c 'from yamaro.picture.stage import make_window; make_window()' >/dev/null 2>&1; }
 
 make_venv() {
     "$1" -m venv "$2" >/dev/null 2>&1 && return

@@ -94,10 +94,13 @@ def _tests_of_module(file: str) -> set[str]:
     module = ".".join(Path(file).relative_to("src").with_suffix("").parts)
     module = module.removesuffix(".__init__")
     imported = _imports()
-    rooms = {_room(module), *(_room(one) for one, others in imported.items() if module in others)}
+    users = [one for one, others in imported.items() if module in others]
+    rooms = {_room(module), *(_room(one) for one in users if not one.endswith(".entry"))}
     found = {path for room in rooms for path in _tests_of_room(room)}
     found |= {path for path, others in _imports_of_tests().items() if module in others}
-    if not module.startswith(("yamaro.tools.", "yamaro.commands")):
+    if module.endswith(".entry"):  # the command of a tool, which nothing imports by name
+        found |= {"tests/commands", f"tests/{module.split('.')[-2]}"}
+    if not module.startswith(("yamaro.tools.", "yamaro.commands", "yamaro.picture")):
         found.update(CORE)
     return found
 

@@ -29,7 +29,7 @@ def test_every_module_has_tests() -> None:
 def test_a_module_asks_for_its_room_for_those_that_import_it_and_for_the_core() -> None:
     asked = set(paths_for(["src/yamaro/model/kinematics.py"]))
     assert {"tests/model", "tests/check", "tests/test_cases.py", "tests/tools/sweep"} <= asked
-    assert "tests/tools/format" not in asked
+    assert "tests/test_layout.py" not in asked
 
 
 def test_a_tool_asks_for_its_own_tests_only() -> None:

@@ -18,10 +18,11 @@ from lxml import etree
 from tests.hostile.hostile_inputs import OLD_OUTPUT, HostileInput, Place, read_inputs
 from tests.waiting import PATIENCE
 from yamaro.commands.main import main
-from yamaro.commands.option_table import SPELLINGS as OPTIONS
+from yamaro.commands.option_table import all_spellings
 from yamaro.terminal import printable
 
 ROOT = Path(__file__).parent.parent
+OPTIONS = all_spellings()
 INPUTS = read_inputs()
 LONGEST_MESSAGES = 5_000
 HEAD = re.compile(r"^(error|warning)\[([a-z0-9.-]+)\]: ", re.MULTILINE)

@@ -238,5 +238,5 @@ def html_of(result: object) -> str:
     """
     from importlib import import_module
 
-    show: Callable[[object], str] = import_module("yamaro.tools.notebook.page").html_of
+    show: Callable[[object], str] = import_module("yamaro.tools.view.notebook").html_of
     return show(result)

@@ -15,17 +15,19 @@ import pytest
 from lxml import etree
 
 from tests.consumers import oracles
+from yamaro.commands.check_reports import (
+    Checked,
+    github_report,
+    json_report,
+    junit_report,
+    sarif_report,
+)
+from yamaro.commands.fixing import Fixing, FixingFailed
 from yamaro.commands.main import main
 from yamaro.diagnostics import Diagnostic
 from yamaro.fixes import Edit, Fix
 from yamaro.policy import Limits
 from yamaro.source import Source, Span
-from yamaro.tools.fixing import Fixing, FixingFailed
-from yamaro.tools.reports.data import json_report
-from yamaro.tools.reports.findings import Checked
-from yamaro.tools.reports.github import github_report
-from yamaro.tools.reports.junit import junit_report
-from yamaro.tools.reports.sarif import sarif_report
 
 GOOD = "robot: good\nmodel:\n  link/name=a:\n"
 BAD = """\

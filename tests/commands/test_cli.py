@@ -18,9 +18,9 @@ import pytest
 from tests.waiting import PATIENCE
 from yamaro import Program
 from yamaro.commands.arguments import make_policy, parse_arguments
-from yamaro.commands.command_table import COMMANDS, named_commands
+from yamaro.commands.command_table import all_commands, named_commands
 from yamaro.commands.main import main
-from yamaro.commands.option_table import OPTIONS, SPELLINGS, help_of, options_of
+from yamaro.commands.option_table import all_options, all_spellings, help_of, options_of
 from yamaro.commands.reports import USAGE
 from yamaro.commands.shells import SHELLS, script
 from yamaro.policy import Limits, limit_names
@@ -707,11 +707,11 @@ def test_help_lists_the_options_of_a_build_and_the_other_commands(
     capsys: pytest.CaptureFixture[str], words: list[str]
 ) -> None:
     assert outcome(capsys, *words) == (0, help_of("build"), "")
-    for command in COMMANDS:
+    for command in all_commands():
         assert command == "build" or f"  yamaro {command} " in help_of("build")
 
 
-@pytest.mark.parametrize("command", COMMANDS)
+@pytest.mark.parametrize("command", all_commands())
 def test_a_command_shows_its_own_help(capsys: pytest.CaptureFixture[str], command: str) -> None:
     status, out, err = outcome(capsys, command, "--help")
     assert (status, err) == (0, "")
@@ -719,19 +719,24 @@ def test_a_command_shows_its_own_help(capsys: pytest.CaptureFixture[str], comman
     assert out.startswith(f"usage: {name} ")
     assert max(map(len, out.splitlines())) <= 100
     shown = [line.partition("--")[2].split()[0] for line in out.splitlines() if " --" in line[:8]]
-    assert shown == [option.name for option in options_of(command)]
+    assert shown == [option.name for option in options_of(all_commands()[command])]
     for words in ([command, "-h"], ["--help", command], ["help", command], ["-q", command, "-h"]):
         assert outcome(capsys, *words) == (0, out, "")
 
 
 def test_every_option_belongs_to_a_command_and_is_explained() -> None:
-    for option in OPTIONS.values():
-        assert option.commands
-        assert set(option.commands) <= set(COMMANDS)
+    commands, options = all_commands(), all_options()
+    taken = {option.name for command in commands.values() for option in options_of(command)}
+    for command in commands.values():
+        own = {option.name for option in options_of(command)}
+        assert set(command.help_of) <= own
+    for option in options.values():
+        assert option.name in taken
+        assert set(option.commands) <= set(commands)
         assert set(option.help_in) <= set(option.commands)
         assert bool(option.value) == bool(option.wants)
         assert option.help.isprintable()
-        assert set(option.excludes) <= set(OPTIONS)
+        assert set(option.excludes) <= set(options)
 
 
 @pytest.mark.parametrize(
@@ -759,9 +764,9 @@ def test_the_page_on_the_command_lists_its_options() -> None:
     told = {
         word.strip("`,| ").split("=")[0].split()[0] for cell in cells for word in cell.split(", ")
     }
-    assert told == set(SPELLINGS)
+    assert told == set(all_spellings())
     usage = page.partition("```\n")[2].partition("```")[0].splitlines()
-    for command in COMMANDS.values():
+    for command in all_commands().values():
         name = "yamaro" if command.name == "build" else f"yamaro {command.name}"
         for form in command.forms:
             assert any(line.startswith(name + " ") and line.endswith(form) for line in usage), form
@@ -1304,7 +1309,7 @@ def test_completion_scripts_are_valid_and_name_every_option(
 ) -> None:
     status, out, err = outcome(capsys, "completion", shell)
     assert (status, err) == (0, "")
-    for option in SPELLINGS:
+    for option in all_spellings():
         if shell == "fish":
             option = f"-l {option[2:]}" if option.startswith("--") else f"-s {option[1:]}"
         assert option in out

@@ -8,9 +8,9 @@ from yamaro import Build, UsageError, YamaroError, build, convert, load
 from yamaro.commands.main import main
 from yamaro.options import Options
 from yamaro.policy import Policy
+from yamaro.rebuilding import Rebuilder
 from yamaro.sandbox import jail
 from yamaro.source import Source
-from yamaro.tools.rebuilding import Rebuilder
 from yamaro.xml.reader import _Reader, read_xml
 from yamaro.xml.writer import write
 

@@ -14,7 +14,7 @@ import pytest
 
 from tests.model.test_changes import ARM, changed
 from yamaro.commands.main import main
-from yamaro.tools.diff.git import Checkout, GitError, Repository, split_revision
+from yamaro.tools.diff.sides import Checkout, GitError, Repository, split_revision
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

@@ -7,7 +7,7 @@ import pytest
 from tests.counting import calls_of
 from yamaro import Robot
 from yamaro.model.reading import read_robot
-from yamaro.tools.tree import render_tree
+from yamaro.tools.tree.text import render_tree
 
 
 def robot(body: str) -> Robot:

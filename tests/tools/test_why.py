@@ -18,7 +18,7 @@ from yamaro import build
 from yamaro.commands.main import main
 from yamaro.sandbox.transfer import Outcome, from_bytes, to_bytes
 from yamaro.source import Reading, RecordedSpan, Source, Span
-from yamaro.tools.why import Answer, addresses, answer
+from yamaro.tools.why.answers import Answer, addresses, answer
 from yamaro.xml.tree import Element, Text
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

@@ -12,11 +12,11 @@ from xml.dom import minidom
 import pytest
 
 from tests.xacro.xacro_host import FileHost, expand_file
+from yamaro.declared_arguments import listing_of
 from yamaro.files.loader import FileLoader
 from yamaro.files.packages import PackageFinder
 from yamaro.policy import Limits
 from yamaro.source import Source
-from yamaro.tools.declared_arguments import listing_of
 from yamaro.xml.tree import Comment, Element, Node
 
 CORPUS = Path(__file__).parents[3] / "shared" / "corpus"

@@ -7,9 +7,9 @@ from typing import Any
 import pytest
 
 from yamaro.diagnostics import YamaroError
+from yamaro.layout import Layout
 from yamaro.policy import TRUSTED, Limits
 from yamaro.source import Source
-from yamaro.tools.format.layout import Layout
 from yamaro.yaml.comments import find_comments
 from yamaro.yaml.libyaml import DeepParser
 from yamaro.yaml.nodes import MappingNode

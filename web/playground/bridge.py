@@ -14,10 +14,10 @@ from collections.abc import Mapping
 from yamaro import Policy, YamaroError
 from yamaro.diagnostics import ERROR, Diagnostic
 from yamaro.options import Options, UsageError
+from yamaro.rebuilding import Rebuilder
 from yamaro.rendering import render
 from yamaro.source import Span
 from yamaro.targets.losses import diagnostics_of
-from yamaro.tools.rebuilding import Rebuilder
 from yamaro.tools.view.session import Session
 from yamaro.tools.view.variables import WrongValue
 

@@ -39,16 +39,16 @@ EXAMPLES = (
 )
 LEFT_OUT = (
     "commands/",
+    "layout.py",
+    "picture/",
     "targets/srdf/",
     "targets/usd/",
     "tools/diff/",
-    "tools/format/",
     "tools/lsp/",
     "tools/migrate/",
-    "tools/notebook/",
-    "tools/picture/",
     "tools/sweep/",
-    "tools/testing/",
+    "tools/test/",
+    "tools/view/notebook.py",
     "tools/view/static/",
 )
 """What a browser has no use for."""

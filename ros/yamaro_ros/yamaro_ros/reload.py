@@ -10,7 +10,7 @@ from typing import Any, Protocol
 
 from yamaro import UsageError
 from yamaro.options import Options
-from yamaro.tools.rebuilding import Rebuilder
+from yamaro.rebuilding import Rebuilder
 
 from .robots import MODES, PACKAGES, RobotError, errors_in, policy_for, tell_warnings
 

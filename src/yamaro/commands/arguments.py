@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 
 from ..source import STANDARD_INPUT
-from .command_table import BUILD, COMMANDS, named_commands
+from .command_table import BUILD, command_named, named_commands
 from .reports import WrongUsage, goes_to_standard_output, near, quote
 
 TYPE_CHECKING = False
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from ..diagnostics import Adjustment
     from ..options import AllOptions, Options
     from ..policy import Policy
+    from .command_table import Command
     from .option_table import Option
 
 
@@ -24,7 +25,7 @@ class Arguments:
     """What the command line asks for.
 
     Attributes:
-        command: a name of `COMMANDS`.
+        command: the name of a command.
         words: what is neither an option nor a variable: the file, and with `why` the address.
         assignments: what has the form `name:=value`.
         options: the values of options by name, "" for those that have none.
@@ -93,19 +94,24 @@ def _add_word(arguments: Arguments, word: str, *, is_plain: bool) -> None:
     is_file = is_plain and os.path.lexists(word)  # as a pattern of the shell may give it
     if assigns and os.sep not in name and not is_file:
         arguments.assignments.append(word)
-    elif arguments.command == BUILD and not arguments.words and word in COMMANDS and not is_plain:
+    elif (
+        arguments.command == BUILD
+        and not arguments.words
+        and not is_plain
+        and command_named(word) is not None
+    ):
         arguments.command = word
     else:
         arguments.words.append(STANDARD_INPUT if word == "/dev/stdin" else word)
 
 
 def _add_long_option(arguments: Arguments, word: str, pending: list[str]) -> None:
-    from .option_table import SPELLINGS
+    from .option_table import all_spellings, option_spelled
 
     name, has_value, value = word.partition("=")
-    option = SPELLINGS.get(name)
+    option = option_spelled(name, arguments.command)
     if option is None:
-        raise WrongUsage(f"unknown option {quote(name)}{near(name, SPELLINGS)}")
+        raise WrongUsage(f"unknown option {quote(name)}{near(name, all_spellings())}")
     if not option.value:
         if has_value:
             raise WrongUsage(f"'{name}' takes no value")
@@ -117,13 +123,13 @@ def _add_long_option(arguments: Arguments, word: str, pending: list[str]) -> Non
 
 def _add_short_options(arguments: Arguments, word: str, pending: list[str]) -> None:
     """Add `-q`, `-qo FILE` or `-oFILE`."""
-    from .option_table import SPELLINGS
+    from .option_table import option_spelled
 
-    if "-" + word in SPELLINGS:
+    if len(word) > 2 and option_spelled("-" + word, arguments.command) is not None:
         raise WrongUsage(f"unknown option {quote(word)}; did you mean '-{word}'?")
     for position, letter in enumerate(word[1:], start=2):
         name = "-" + letter
-        option = SPELLINGS.get(name)
+        option = option_spelled(name, arguments.command)
         if option is None:
             raise WrongUsage(f"unknown option {quote(name)}")
         if option.value:
@@ -153,14 +159,17 @@ def _set_option(arguments: Arguments, name: str, option: Option, value: str) -> 
 
 def _check_options(arguments: Arguments) -> None:
     """Refuse options that the command does not take, or that exclude each other."""
-    from .option_table import OPTIONS
+    from .option_table import options_of
 
     command = arguments.command
+    found = command_named(command)
+    assert found is not None, command
+    options = {option.name: option for option in options_of(found)}
     for name in arguments.options:
-        if command not in OPTIONS[name].commands:
+        if name not in options:
             usage = "yamaro FILE" if command == BUILD else f"yamaro {command}"
             raise WrongUsage(f"'--{name}' cannot be used with '{usage}'")
-    for name, option in OPTIONS.items():
+    for name, option in options.items():
         for other in option.excludes:
             if arguments.has(name) and arguments.has(other):
                 raise WrongUsage(f"'--{name}' and '--{other}' cannot be combined")
@@ -169,41 +178,32 @@ def _check_options(arguments: Arguments) -> None:
 def _check_arguments(arguments: Arguments) -> None:
     if arguments.options:
         _check_options(arguments)
-    command = arguments.command
-    if not COMMANDS[command].words:  # it takes no file
-        return
-    if command == "test":  # any number of files and folders
-        return
-    if not arguments.words and command == BUILD:
-        raise WrongUsage("missing FILE")
-    if not arguments.words:
-        word = "NAME" if command == "new" else "FILE"
+    command = command_named(arguments.command)
+    assert command is not None, arguments.command
+    if command.words and command.counts_words:
+        check_words(arguments, command)
+
+
+def check_words(arguments: Arguments, command: Command) -> None:
+    """Refuse a command line with too few words for its command, or too many."""
+    words, name = arguments.words, command.name
+    if not words:
+        if name == BUILD:
+            raise WrongUsage("missing FILE")
         aside = ""
-        if os.path.isfile(command):
-            aside = f"; to compile the file of that name, write './{command}'"
-        raise WrongUsage(f"'yamaro {command}' needs a {word}{aside}")
-    if arguments.has("git"):  # git gives a diff driver a file of both sides, or a renamed one
-        if len(arguments.words) not in (7, 9):
-            usage = "git config diff.yamaro.command 'yamaro diff --git'"
-            raise WrongUsage(f"'--git' is for git: {usage}")
-        return
-    most = 2 if command in _SECOND_WORDS else 1
-    if len(arguments.words) < most:
-        raise WrongUsage(f"'yamaro {command}' needs {_SECOND_WORDS[command]}")
-    if len(arguments.words) > most and not COMMANDS[command].takes_several:
-        first, second = arguments.words[most - 1 : most + 1]
+        if os.path.isfile(name):
+            aside = f"; to compile the file of that name, write './{name}'"
+        raise WrongUsage(f"'yamaro {name}' needs {command.needs}{aside}")
+    most = 2 if command.second else 1
+    if len(words) < most:
+        raise WrongUsage(f"'yamaro {name}' needs {command.second}")
+    if len(words) > most and not command.takes_several:
+        first, second = words[most - 1 : most + 1]
         if not os.path.exists(first) and (hint := near(first, named_commands())):
             raise WrongUsage(f"unknown command {quote(first)}{hint}")
-        name, has_value, value = second.partition("=")
-        hint = f"; to set a variable, write {quote(f'{name}:={value}')}" if has_value else ""
+        option, has_value, value = second.partition("=")
+        hint = f"; to set a variable, write {quote(f'{option}:={value}')}" if has_value else ""
         raise WrongUsage(f"unexpected argument {quote(second)} after {quote(first)}{hint}")
-
-
-_SECOND_WORDS = {
-    "why": "an ADDRESS after the file: elbow_joint/limit@upper",
-    "diff": "two files: HEAD:robot.yaml robot.yaml",
-}
-"""What is missing where there is only one word, for the commands that take two."""
 
 
 # --- what options say about a build: policy, limits, packages ---------------------------------
@@ -227,7 +227,8 @@ def make_policy(arguments: Arguments, *, looks: bool = False) -> Policy:
 
     modes = {"trust": TRUSTED, "jail": JAIL, "safe": SAFE}
     mode = next((modes[name] for name in modes if arguments.has(name)), None)
-    looks = mode is None and (looks or COMMANDS[arguments.command].looks)
+    command = command_named(arguments.command)
+    looks = mode is None and (looks or (command is not None and command.looks))
     allowed = arguments.lists.get("allow-path", [])
     if allowed and not looks and mode in (None, TRUSTED):
         raise WrongUsage("'--allow-path' needs --jail or --safe")

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 def run(arguments: Arguments, streams: Streams) -> int:
     """Write the XML, or with `--deps` the files it is made of; return the exit status."""
     if arguments.has("help-args"):
-        from .showing import run_args
+        from .args import run as run_args
 
         return run_args(arguments, streams)
     if arguments.has("deps"):
@@ -54,7 +54,7 @@ def _sum_up(build: Build, arguments: Arguments, streams: Streams) -> None:
             streams.say(f"yamaro: note: {says}")
         if not streams.is_terminal():
             return
-        from ..tools.summary import summary_of
+        from .summary import summary_of
 
         summary = summary_of(build.encoded())
     if streams.is_terminal():

@@ -29,8 +29,8 @@ if TYPE_CHECKING:
     from ..model.robot import Robot
     from ..result import Build
     from ..streams import Streams
-    from ..tools.reports.findings import Checked
     from .arguments import Arguments
+    from .check_reports import Checked
 
 
 def run(arguments: Arguments, streams: Streams) -> int:
@@ -94,7 +94,7 @@ def _checked(
     look: Callable[[Build], Sequence[Diagnostic]] | None = None,
 ) -> Checked:
     """Check one file; `look` finds more in what was built of it."""
-    from ..tools.reports.findings import Checked
+    from .check_reports import Checked
 
     allowed = read_adjustment(arguments).allowed
     try:
@@ -127,7 +127,7 @@ def _unreadable(arguments: Arguments) -> Diagnostic:
 
 def _say(files: Sequence[Checked], arguments: Arguments, streams: Streams) -> int:
     """Show findings as text, each once; return the exit status of writing."""
-    from ..tools.reports.findings import each_once
+    from .check_reports import each_once
 
     once = {id(diagnostic) for _, diagnostic in each_once(files)}
     fine = []
@@ -141,20 +141,20 @@ def _say(files: Sequence[Checked], arguments: Arguments, streams: Streams) -> in
 
 def _report(files: Sequence[Checked], form: str) -> str:
     if form == "json":
-        from ..tools.reports.data import json_report
+        from .check_reports import json_report
 
         return json_report(files)
     if form == "sarif":
         from .. import __version__
-        from ..tools.reports.sarif import sarif_report
+        from .check_reports import sarif_report
 
         return sarif_report(files, __version__)
     if form == "github":
-        from ..tools.reports.github import github_report
+        from .check_reports import github_report
 
         return github_report(files)
     assert form == "junit", form
-    from ..tools.reports.junit import junit_report
+    from .check_reports import junit_report
 
     return junit_report(files)
 
@@ -165,7 +165,7 @@ def _report(files: Sequence[Checked], form: str) -> str:
 def _fixed(arguments: Arguments, streams: Streams) -> list[Checked] | None:
     """Fix the files, and return what is found then; None if they are left as they are."""
     from ..output import write_files
-    from ..tools.fixing import Fixing, FixingFailed
+    from .fixing import Fixing, FixingFailed
 
     if STANDARD_INPUT in arguments.words:
         raise WrongUsage("'--fix' changes files, and standard input is not one")

@@ -1,9 +1,16 @@
-"""The table of commands.
+"""The commands: a table of those of the core, and how those of tools are found.
 
-To add a command, add a `Command` here and a module of its name with a function `run`.
+A tool is a folder in `tools/` that is called as its command. Its module `entry` has the `Command`,
+as `COMMAND`, and a function `run`; nothing else knows of the tool.
 """
 
 from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from .option_table import Option
 
 
 class Command:
@@ -19,11 +26,17 @@ class Command:
         endings: of the files that are completed, without the dot.
         examples: command lines.
         takes_several: whether any number of files may follow.
+        needs: what is missing without a word: "a FILE".
+        second: what is missing where there is only one word, of a command that takes two.
+        counts_words: whether the number of words is checked before it runs.
+        place: where it is in the help, among the others.
+        options: of a command of a tool: its options, those that other commands have too by name.
+        help_of: what such an option does here, by its name, if that is something else.
     """
 
     __slots__ = (
-        "about", "endings", "examples", "forms", "looks", "name", "summary", "takes_several",
-        "words",
+        "about", "counts_words", "endings", "examples", "forms", "help_of", "looks", "name",
+        "needs", "options", "place", "second", "summary", "takes_several", "words",
     )  # fmt: skip
 
     def __init__(
@@ -38,6 +51,12 @@ class Command:
         endings: tuple[str, ...] = (),
         examples: tuple[str, ...] = (),
         takes_several: bool = False,
+        needs: str = "a FILE",
+        second: str = "",
+        counts_words: bool = True,
+        place: int = 0,
+        options: tuple[str | Option, ...] = (),
+        help_of: dict[str, str] | None = None,
     ) -> None:
         """Describe a command."""
         self.name = name
@@ -49,6 +68,12 @@ class Command:
         self.endings = endings
         self.examples = examples
         self.takes_several = takes_several
+        self.needs = needs
+        self.second = second
+        self.counts_words = counts_words
+        self.place = place
+        self.options = options
+        self.help_of = help_of or {}
 
 
 BUILD = "build"
@@ -61,11 +86,6 @@ FILE_WORDS = (
         "set a variable, n:=3, sides:=[left, right], or an argument of xacro",
     ),
 )
-AXIS_HELP = (
-    "thigh=0.2..0.4, thigh=0.2..0.4:0.05 in steps, legs=4,6, kp=log:10..500, gain=normal:1,0.05; "
-    "by default all arguments with a range or choices"
-)
-ADDRESS_WORD = ("ADDRESS", "elbow_joint/limit@upper, link:arm/visual[2], /gazebo[3] from the root")
 ENDINGS = ("yaml", "yml", "urdf", "xacro")
 
 COMMANDS = {
@@ -104,64 +124,7 @@ COMMANDS = {
                 "yamaro check --format sarif -o yamaro.sarif *.urdf.yaml",
             ),
             takes_several=True,
-        ),
-        Command(
-            "tree",
-            ("FILE [name:=value ...]",),
-            "show links, joints and masses as a tree",
-            "Show the links of a robot as a tree, with their masses and joints.",
-            words=FILE_WORDS,
-            looks=True,
-            endings=ENDINGS,
-        ),
-        Command(
-            "view",
-            ("FILE [name:=value ...]",),
-            "show the robot in the browser, updated at each save",
-            "Show a robot in the browser, and update it whenever one of its files is saved. "
-            "Press Ctrl-C to stop.",
-            words=FILE_WORDS,
-            looks=True,
-            endings=ENDINGS,
-        ),
-        Command(
-            "watch",
-            ("FILE -o FILE [name:=value ...]",),
-            "compile at each save, and report each build",
-            "Compile a file now and whenever one of its input files is saved. Press Ctrl-C to "
-            "stop.",
-            words=FILE_WORDS,
-            endings=ENDINGS,
-            examples=("yamaro watch robot.yaml -o robot.urdf",),
-        ),
-        Command(
-            "picture",
-            ("FILE -o FILE.png [name:=value ...]",),
-            "render the robot as a PNG, GIF or MP4",
-            "Render an image or a film of a robot. Requires the Python packages of "
-            "yamaro[picture], but no display or browser.",
-            words=FILE_WORDS,
-            looks=True,
-            endings=ENDINGS,
-            examples=(
-                "yamaro picture robot.yaml -o robot.png",
-                "yamaro picture robot.yaml -o sheet.png --view iso,front,left,top --size 400x300",
-                "yamaro picture robot.urdf -o waving.gif --sweep shoulder,elbow",
-            ),
-        ),
-        Command(
-            "migrate",
-            ("FILE [-o FILE]", "FILE -o FOLDER [name:=value ...]"),
-            "convert URDF, xacro or other XML to YAML",
-            "Convert a URDF, or other XML, to a YAML file; convert a xacro robot to a folder of "
-            "YAML files, one for each xacro file. Then build the result, and report any "
-            "difference.",
-            words=(
-                ("FILE", "the XML file, or - for standard input"),
-                ("name:=value", "set a xacro argument for the comparison"),
-            ),
-            looks=True,
-            endings=("urdf", "xacro", "xml"),
+            place=1,
         ),
         Command(
             "args",
@@ -172,110 +135,7 @@ COMMANDS = {
             words=(FILE_WORDS[0],),
             looks=True,
             endings=ENDINGS,
-        ),
-        Command(
-            "why",
-            ("FILE ADDRESS [name:=value ...]",),
-            "show where a value in the output comes from",
-            "Show where in the YAML an element or attribute of the output comes from.",
-            words=(FILE_WORDS[0], ADDRESS_WORD, FILE_WORDS[1]),
-            looks=True,
-            endings=ENDINGS,
-            examples=("yamaro why robot.yaml elbow_joint/limit@upper",),
-        ),
-        Command(
-            "diff",
-            ("A B [name:=value ...]",),
-            "show what changed from one robot to another, by meaning",
-            "Compare two robots by meaning: links, joints, masses, limits, poses and all else. "
-            "Exit with 0 if they mean the same, 1 if they differ, 2 for errors.",
-            words=(
-                ("A, B", "a YAML file, a URDF or a xacro file; or REV:path, the file in git"),
-                ("name:=value", "set a variable of both"),
-            ),
-            looks=True,
-            endings=ENDINGS,
-            examples=(
-                "yamaro diff HEAD:robot.yaml robot.yaml",
-                "yamaro diff robot.yaml robot.yaml --a reach:=0.8 --b reach:=1.2",
-                "git config diff.yamaro.command 'yamaro diff --git'",
-            ),
-        ),
-        Command(
-            "test",
-            ("[FILE|FOLDER ...]",),
-            "test robots against what is expected of them",
-            "Run the test files (*.test.yaml) that are named, and those in folders and below; by "
-            "default in the working directory. Exit with 0 if all cases pass, 1 if any fails.",
-            words=(("FILE, FOLDER", "test files, and folders with test files"),),
-            looks=True,
-            endings=("test.yaml", "test.yml"),
-            examples=("yamaro test", "yamaro test robots --junit results.xml"),
-        ),
-        Command(
-            "new",
-            ("NAME",),
-            "make a package of a robot, for pip and colcon",
-            "Make a folder with a small robot to start from: a package for pip and for colcon, "
-            "with a test, checks in CI, and a README with a picture. The last part of NAME is the "
-            "name of the package.",
-            words=(("NAME", "the folder to make, such as rover_description; it must not exist"),),
-            examples=("yamaro new rover_description", "yamaro new src/rover_description"),
-        ),
-        Command(
-            "sweep",
-            (
-                "STUDY -o FOLDER",
-                "FILE [name=AXIS ...] [name:=value ...] --samples N -o FOLDER",
-                "show FOLDER NUMBER",
-                "plot FOLDER [--metric NAME] -o FILE",
-            ),
-            "build many variants of a robot, and a table of them",
-            "Build a robot with many values of its arguments, and write a table of them: the "
-            "values, whether each variant could be built, and what was measured of it. See "
-            "docs/sweeps.md.",
-            words=(
-                ("STUDY", "a YAML file with the key `sweep`"),
-                FILE_WORDS[0],
-                ("name=AXIS", AXIS_HELP),
-                ("name:=value", "pass a value to all variants"),
-                ("show", "build variant NUMBER of the sweep in FOLDER again"),
-                ("plot", "draw the results of the sweep in FOLDER by its arguments"),
-            ),
-            endings=ENDINGS,
-            examples=(
-                "yamaro sweep leg.yaml thigh=0.2..0.4 legs=4,6 --samples 1000 -o runs/",
-                "yamaro sweep study.yaml -o runs/ --engine dask://host:8786 --resume",
-                "yamaro sweep show runs/ 4711 > variant.urdf",
-                "yamaro sweep plot runs/ --metric mass --minimize -o plot.png",
-            ),
-            takes_several=True,
-        ),
-        Command(
-            "lsp",
-            ("[--stdio]",),
-            "serve an editor: diagnostics, completion, hover, rename",
-            "Run a language server on standard input and output. Editors start it; see "
-            "docs/editors.md.",
-        ),
-        Command(
-            "fmt",
-            ("FILE|FOLDER...",),
-            "format YAML files in one style",
-            "Bring YAML files into one style: indentation, spaces and blank lines. Comments, "
-            "order, quotes and numbers stay as they are written. The files are not run.",
-            words=(
-                ("FILE", "a YAML file; - formats standard input to standard output"),
-                ("FOLDER", "formats the files *.urdf.yaml and *.yamaro.yaml in it and below"),
-            ),
-            looks=True,
-            endings=("yaml", "yml"),
-            examples=(
-                "yamaro fmt robot.yaml leg.yaml",
-                "yamaro fmt --check *.yaml",
-                "yamaro fmt .",
-            ),
-            takes_several=True,
+            place=7,
         ),
         Command(
             "completion",
@@ -283,17 +143,56 @@ COMMANDS = {
             "print a completion script for a shell",
             "Print a script that lets a shell complete commands, options, files and variables.",
             examples=('eval "$(yamaro completion bash)"',),
+            place=15,
         ),
         Command(
             "help",
             ("[COMMAND]",),
             "show the options of a command",
             "Show what a command does, and its options.",
+            place=16,
         ),
     )
 }
 
 
+def entry_of(name: str) -> Any:
+    """Return the module `entry` of a tool, or None if there is no such tool."""
+    if not name.isidentifier():
+        return None
+    from importlib import import_module
+
+    module = f"yamaro.tools.{name}"
+    try:
+        return import_module(f"{module}.entry")
+    except ModuleNotFoundError as error:
+        if error.name not in (module, f"{module}.entry"):
+            raise
+        return None
+
+
+def command_named(name: str) -> Command | None:
+    """Return the command of a name, or None if there is none."""
+    command = COMMANDS.get(name)
+    if command is None:
+        entry = entry_of(name)
+        command = entry.COMMAND if entry is not None else None
+    return command
+
+
+def all_commands() -> dict[str, Command]:
+    """Return the commands by name, those of all tools among them, in the order of the help."""
+    from importlib import import_module
+    from pkgutil import iter_modules
+
+    found = list(COMMANDS.values())
+    for module in iter_modules(import_module("yamaro.tools").__path__):
+        entry = entry_of(module.name)
+        if entry is not None:
+            found.append(entry.COMMAND)
+    return {command.name: command for command in sorted(found, key=lambda each: each.place)}
+
+
 def named_commands() -> list[str]:
     """Return the commands that have a word of their own."""
-    return [name for name in COMMANDS if name != BUILD]
+    return [name for name in all_commands() if name != BUILD]

@@ -9,7 +9,6 @@ from ..output import is_input, write_files
 from ..targets.assets import FOLDER
 from ..targets.output import MARK, marked
 from ..targets.writers import ENDINGS, TITLES
-from ..tools.tree import counted
 from .reports import (
     DONE,
     INPUT_ERROR,
@@ -21,6 +20,7 @@ from .reports import (
     quote,
     refuse_leading_out,
 )
+from .summary import counted
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -163,35 +163,14 @@ def _command(name: str) -> Run:
         from .build import run
     elif name == "check":
         from .check import run
-    elif name == "tree":
-        from .showing import run_tree as run
-    elif name == "view":
-        from .repetition import run_view as run
-    elif name == "watch":
-        from .repetition import run_watch as run
-    elif name == "picture":
-        from .showing import run_picture as run
-    elif name == "migrate":
-        from .migrate import run
     elif name == "args":
-        from .showing import run_args as run
-    elif name == "why":
-        from .showing import run_why as run
-    elif name == "diff":
-        from .diff import run
-    elif name == "test":
-        from .test import run
-    elif name == "new":
-        from .new import run
-    elif name == "sweep":
-        from .sweep import run
-    elif name == "lsp":
-        from .repetition import run_lsp as run
-    elif name == "fmt":
-        from .fmt import run
+        from .args import run
     elif name == "completion":
         from .shells import run
-    else:
-        assert name == "help", name
+    elif name == "help":
         from .option_table import run
+    else:
+        from .command_table import entry_of
+
+        run = entry_of(name).run
     return run

@@ -8,14 +8,14 @@ from __future__ import annotations
 
 import os
 
-from .command_table import BUILD, COMMANDS, named_commands
-from .option_table import OPTIONS, options_of
+from .command_table import BUILD, all_commands, named_commands
+from .option_table import OPTIONS, all_options, options_of
 from .reports import WrongUsage, deliver
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from ..declared_arguments import Declared
     from ..streams import Streams
-    from ..tools.declared_arguments import Declared
     from .arguments import Arguments
     from .option_table import Option
 
@@ -25,7 +25,7 @@ SHELLS = ("bash", "zsh", "fish")
 def script(shell: str) -> str:
     """Return the completion script for one of `SHELLS`."""
     template, words = {"bash": (_BASH, _bash), "zsh": (_ZSH, _zsh), "fish": (_FISH, _fish)}[shell]
-    valued = [spelling for one in OPTIONS.values() if one.value for spelling in one.spellings]
+    valued = [spelling for one in all_options().values() if one.value for spelling in one.spellings]
     marks = {
         "@COMMANDS@": " ".join(named_commands()),
         "@COMMANDS_CASE@": " | ".join(named_commands()),
@@ -45,14 +45,8 @@ def _offered(option: Option) -> str:
     """Return the words that a shell offers as the value of an option."""
     from ..codes import ADJUSTABLE
     from ..policy import limit_names
-    from ..tools.picture.request import NAMED_VIEWS, SHOWN
 
-    tables = {
-        "limits": limit_names(),
-        "views": NAMED_VIEWS,
-        "shown": SHOWN,
-        "codes": sorted(ADJUSTABLE),
-    }
+    tables = {"limits": limit_names(), "codes": sorted(ADJUSTABLE)}
     return " ".join(tables.get(option.completes, [option.completes]))
 
 
@@ -61,13 +55,14 @@ def _briefly(option: Option) -> str:
     text = option.help
     for mark in (";", ":", " ("):
         text = text.partition(mark)[0]
-    return text if BUILD in option.commands else f"with {', '.join(option.commands)}, {text}"
+    names = [name for name, each in all_commands().items() if option in options_of(each)]
+    return text if BUILD in names else f"with {', '.join(names)}, {text}"
 
 
 def _bash() -> dict[str, str]:
     plain: list[str] = []
     values = ""
-    for option in OPTIONS.values():
+    for option in all_options().values():
         spellings = " | ".join(option.spellings)
         if option.completes == "files":
             action = '_yamaro_files "$current" ""'
@@ -82,8 +77,8 @@ def _bash() -> dict[str, str]:
             values += f"        {spellings}) {action}; return ;;\n"
     values += f"        {' | '.join(plain)}) return ;;\n"
     options = endings = ""
-    for name, command in COMMANDS.items():
-        words = " ".join(word for option in options_of(name) for word in option.spellings)
+    for name, command in all_commands().items():
+        words = " ".join(word for option in options_of(command) for word in option.spellings)
         options += f'            {name}) options="{words}" ;;\n'
         if command.endings:
             endings += (
@@ -94,7 +89,7 @@ def _bash() -> dict[str, str]:
 
 def _zsh() -> dict[str, str]:
     options = described = endings = ""
-    for option in OPTIONS.values():
+    for option in all_options().values():
         text = _briefly(option).replace("]", "\\]").replace("'", "'\\''")
         value = option.value.lower().replace(":", "\\:")
         action = {"": " ", "files": "_files", "commands": "_command_names -e"}.get(
@@ -116,7 +111,7 @@ def _zsh() -> dict[str, str]:
         else:
             start += f"--{option.name}{equals}"
         options += f"        {start}{end} \\\n"
-    for name, command in COMMANDS.items():
+    for name, command in all_commands().items():
         if name != BUILD:
             described += f"                '{name}:{command.summary}'\n"
         if command.endings:
@@ -127,10 +122,11 @@ def _zsh() -> dict[str, str]:
 
 def _fish() -> dict[str, str]:
     described = options = ""
-    for name in named_commands():
-        summary = COMMANDS[name].summary
-        described += f"complete -c yamaro -n '__yamaro_wants command' -a {name} -d '{summary}'\n"
-    for option in OPTIONS.values():
+    for name, command in all_commands().items():
+        if name != BUILD:
+            wants = "complete -c yamaro -n '__yamaro_wants command'"
+            described += f"{wants} -a {name} -d '{command.summary}'\n"
+    for option in all_options().values():
         line = "complete -c yamaro" + (f" -s {option.short}" if option.short else "")
         line += f" -l {option.name}"
         if option.completes == "files":
@@ -362,8 +358,8 @@ MAX_DEFAULT = 40
 
 def variable_lines(path: str) -> str:
     """Return a line `name:=<tab>default, what else is known` for each argument or variable."""
+    from ..declared_arguments import about
     from ..terminal import printable
-    from ..tools.declared_arguments import about
 
     lines = []
     for declared in _declared(path):
@@ -399,13 +395,13 @@ def _declared(path: str) -> list[Declared]:
 
     A file that cannot be read has nothing: someone who is still typing wants no errors.
     """
+    from ..declared_arguments import listing_of
     from ..diagnostics import YamaroError
     from ..files.loader import FileLoader
     from ..files.packages import PackageFinder
     from ..files.regular import read_start
     from ..policy import Limits
     from ..source import Source, holds_xml
-    from ..tools.declared_arguments import listing_of
     from ..xml.reader import decode_xml
 
     if path.startswith("~"):

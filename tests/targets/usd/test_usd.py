@@ -112,7 +112,7 @@ def test_gains_that_are_not_given_are_those_of_mjcf(
 
 
 def test_gains_lead_to_where_they_are_written(tmp_path: Path) -> None:
-    from yamaro.tools.why import answer
+    from yamaro.tools.why.answers import answer
 
     _, build = stage_of(ARM, tmp_path)
     for name, written in (("stiffness", "50"), ("damping", "2"), ("maxForce", "10")):

@@ -448,8 +448,8 @@ def _edited(text, edits):
 
 
 def test_formatting_gives_what_fmt_gives(client, tmp_path):
+    from yamaro.layout import formatted
     from yamaro.source import Source
-    from yamaro.tools.format.formatting import formatted
 
     for number, text in enumerate(
         (

@@ -7,8 +7,8 @@ from textwrap import dedent, indent
 from tests.tools.migrate.same_robot import is_same_robot
 from yamaro.api import build
 from yamaro.codes import ADJUSTABLE
+from yamaro.layout import formatted
 from yamaro.source import Source
-from yamaro.tools.format.formatting import formatted
 from yamaro.tools.migrate.urdf import Migration, migrate_urdf
 from yamaro.xml.reader import read_xml
 from yamaro.xml.tree import Element

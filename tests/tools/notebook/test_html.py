@@ -17,7 +17,7 @@ import pytest
 
 import yamaro
 from tests.tools.notebook.conftest import Frames
-from yamaro.tools.notebook import page
+from yamaro.tools.view import notebook as page
 
 PageOf = Callable[[Any], str]
 SAFE = yamaro.Policy("safe")

@@ -14,9 +14,9 @@ from hypothesis import strategies as st
 from scipy import stats
 
 from tests.effort import examples
+from yamaro.declared_arguments import Declared, declared_of
 from yamaro.diagnostics import InputFault
 from yamaro.source import Source
-from yamaro.tools.declared_arguments import Declared, declared_of
 from yamaro.tools.sweep.axes import Axis, axis_of_data, axis_of_text
 from yamaro.tools.sweep.plan import axis_of
 

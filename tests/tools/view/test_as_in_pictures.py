@@ -10,12 +10,12 @@ import numpy as np
 import pytest
 
 from tests.consumers import oracles
-from tests.tools.picture.drawing import require_drawing
+from tests.picture.drawing import require_drawing
 from tests.tools.view.conftest import EXAMPLES, Page
 from tests.tools.view.test_page import Start
 from yamaro import Policy, build
 from yamaro.confined import Reader
-from yamaro.tools.picture.request import Request
+from yamaro.picture.request import Request
 
 pytestmark = pytest.mark.filterwarnings("ignore::DeprecationWarning")  # VTK's, of its own
 
@@ -39,7 +39,7 @@ COLORS = """
 def drawing_of(path: Path) -> Any:
     """Return what `yamaro picture` makes of a robot."""
     require_drawing()
-    from yamaro.tools.picture.draw import Drawing
+    from yamaro.picture.draw import Drawing
 
     request = Request("out.png", {}, {})
     return Drawing(build(path), request, Reader(Policy("trusted"), readable=[], name=str(path)))
@@ -80,8 +80,8 @@ def test_an_example_is_shown_as_in_its_picture(
     path = tmp_path / "examples" / name
     drawing = drawing_of(path)
     from yamaro.model.positions import home_positions
-    from yamaro.tools.picture.request import NAMED_VIEWS, View
-    from yamaro.tools.picture.stage import VIEW_ANGLE, fitted
+    from yamaro.picture.request import NAMED_VIEWS, View
+    from yamaro.picture.stage import VIEW_ANGLE, fitted
 
     page.show(view(path, "--trust"))
     page.run("yamaro.stage.drawNow()")

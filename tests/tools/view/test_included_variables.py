@@ -13,7 +13,7 @@ from tests.tools.view.test_page import Start
 from yamaro import Policy
 from yamaro.options import Options
 from yamaro.policy import JAIL
-from yamaro.tools.rebuilding import Rebuilder
+from yamaro.rebuilding import Rebuilder
 from yamaro.tools.view.session import Session
 
 MAIN = """\

@@ -16,7 +16,7 @@ import pytest
 from tests.consumers import oracles
 from tests.tools.view.conftest import EXAMPLES, Page, Viewer
 from tests.waiting import wait_for
-from yamaro.tools.picture.request import NAMED_VIEWS
+from yamaro.picture.request import NAMED_VIEWS
 
 Start = Callable[..., Viewer]
 

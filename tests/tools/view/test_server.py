@@ -18,7 +18,7 @@ from tests.tools.view.conftest import Viewer
 from tests.waiting import PATIENCE, wait_for
 from yamaro.options import Options
 from yamaro.policy import SAFE, TRUSTED, Policy
-from yamaro.tools.rebuilding import Rebuilder
+from yamaro.rebuilding import Rebuilder
 from yamaro.tools.view import server as serving
 from yamaro.tools.view.command import Editor
 from yamaro.tools.view.server import Server

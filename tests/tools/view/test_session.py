@@ -17,7 +17,7 @@ from yamaro.diagnostics import YamaroError
 from yamaro.files.readable import Reach
 from yamaro.options import Options
 from yamaro.policy import SAFE, Policy
-from yamaro.tools.rebuilding import Rebuilder
+from yamaro.rebuilding import Rebuilder
 from yamaro.tools.view import command
 from yamaro.tools.view.command import find_editor
 from yamaro.tools.view.description import Description

@@ -17,7 +17,7 @@ from tests.tools.view.scene import place_of, pose_of, value_of
 from tests.tools.view.test_page import LAMP, Start, reds
 from tests.waiting import wait_for
 from yamaro import build
-from yamaro.tools.picture.request import Request, read_positions
+from yamaro.picture.request import Request, read_positions
 
 SHIFT = 8
 STATES = """\

@@ -15,8 +15,7 @@ from tests.tools.view.conftest import ROOT
 from tests.waiting import PATIENCE, wait_for
 from yamaro.options import Options, UsageError
 from yamaro.policy import Policy
-from yamaro.tools.rebuilding import Rebuilder, count_told
-from yamaro.tools.watching import FileWatch, surroundings
+from yamaro.rebuilding import FileWatch, Rebuilder, count_told, surroundings
 
 ROBOT = "robot: one\nmodel:\n  include: more.yaml\n  link/name=base:\n"
 MORE = (

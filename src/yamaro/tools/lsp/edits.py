@@ -7,11 +7,11 @@ from fnmatch import fnmatchcase
 
 from ...allowances import acceptance
 from ...diagnostics import YamaroError
+from ...layout import LayoutFault, formatted
 from ...source import Span
 from ...syntax.names import is_function_name, is_identifier, python_name
 from ...syntax.nodes import IncludeNode, VariableEntry
 from ...syntax.symbol_table import ARGUMENT, ASSIGNED, CALLED, FILE, IMPORTED, VARIABLE
-from ..format.formatting import LayoutFault, formatted
 from .bindings import Place, Program, visible_names
 from .findings import diagnostic_json, diagnostics_of
 from .parts import Named, Reference

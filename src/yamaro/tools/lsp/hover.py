@@ -77,8 +77,8 @@ def _of_name(workspace: Workspace, program: Program, place: Place) -> list[str]:
     elif isinstance(node, Parameter):
         lines.append(f"`{node.text}`")
     elif isinstance(node, ArgumentEntry):
-        from ..declared_arguments import about as about_argument
-        from ..declared_arguments import declared_of
+        from ...declared_arguments import about as about_argument
+        from ...declared_arguments import declared_of
 
         argument = declared_of(node)
         lines += [line for line in [about_argument(argument)] if line]

@@ -1,10 +1,20 @@
-"""The files of a new package, made of the template beside this module."""
+"""The files of a new package, made of the template beside this module; its name and picture."""
 
 from __future__ import annotations
 
+import keyword
 import os
+import re
+import sys
 
 from ... import __version__
+from ...api import build
+from ...confined import Reader
+from ...diagnostics import YamaroError
+from ...files.loader import MemoryLoader
+from ...picture.command import check_packages, draw
+from ...picture.request import Request
+from ...policy import Policy
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -50,3 +60,63 @@ def _paths() -> Iterator[str]:
         inner.sort()
         for name in sorted(names):
             yield os.path.relpath(os.path.join(folder, name), _TEMPLATE).replace(os.sep, "/")
+
+
+# --- what a new package may be called: by ROS, by Python, by pip and by Yamaro itself ---------
+
+
+LONGEST = 64
+_VALID = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*")
+_TAKEN = {"yamaro", "yamaro_ros"}
+_MODULES = sys.stdlib_module_names | {"test"}
+
+
+def fault_of_name(name: str) -> str | None:
+    """Return what is wrong with the name of a package, and what to write, or None."""
+    if not name:
+        return "the name is empty"
+    if len(name) > LONGEST:
+        return f"it has more than {LONGEST} characters"
+    if not _VALID.fullmatch(name) or len(name) < 2:
+        rule = (
+            "the names of ROS packages have lower-case letters, digits and single underscores, "
+            "begin with a letter, and have at least two characters"
+        )
+        near = _nearest(name)
+        return f"{rule}; for example '{near}'" if near else rule
+    if name in _TAKEN:
+        return "Yamaro itself has that name"
+    if keyword.iskeyword(name):
+        return f"it is a keyword of Python; for example '{name}_robot'"
+    if name in _MODULES:
+        return f"Python has a module of that name; for example '{name}_robot'"
+    return None
+
+
+def _nearest(name: str) -> str:
+    """Return a valid name like one that is not, or "" if there is none."""
+    spaced = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name)
+    near = re.sub(r"[^a-z0-9]+", "_", spaced.lower()).strip("_").lstrip("0123456789_")
+    return near if len(near) > 1 and fault_of_name(near) is None else ""
+
+
+# --- the picture of a new robot, if one can be drawn here -------------------------------------
+
+
+def picture_of(name: str, folder: str) -> bytes | None:
+    """Return the picture of a new package's robot, or None if nothing can be drawn here.
+
+    Args:
+        name: that of the package.
+        folder: where it will be.
+    """
+    files = files_of(name, has_picture=False)
+    texts = {os.path.join(folder, *path.split("/")): text for path, text in files.items()}
+    path = os.path.join(folder, *main_file(name).split("/"))
+    request = Request(PICTURE, {}, {})
+    try:
+        check_packages(path, request)
+        robot = build(path, loader=MemoryLoader(texts))
+        return draw(robot, path, request, Reader(Policy(), readable=[], name=path)).data
+    except YamaroError:
+        return None

@@ -1,1 +1,1 @@
-"""Draws robots without a display: `yamaro picture`."""
+"""Pictures and films of a robot: `yamaro picture`."""

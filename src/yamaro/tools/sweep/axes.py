@@ -30,7 +30,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
-    from ..declared_arguments import Declared
+    from ...declared_arguments import Declared
 
 MOST_VALUES = 1 << 40
 """The most values that one axis may have."""

@@ -265,16 +265,16 @@ def pictures(folder: str, indices: Mapping[str, int], policy: Policy) -> dict[st
         YamaroError: a package is missing, a variant or a mesh of it cannot be built or drawn, or
             nothing can be drawn on this system.
     """
-    from ..picture.command import check_packages
-    from ..picture.request import Request
+    from ...picture.command import check_packages
+    from ...picture.request import Request
 
     request = Request("robot.png", {"size": SIZE, "transparent": ""}, {})
     check_packages(folder, request)
     import numpy as np
 
     from ...confined import Reader
-    from ..picture.draw import Drawing
-    from ..picture.stage import NoOpenGLError, fitted
+    from ...picture.draw import Drawing
+    from ...picture.stage import NoOpenGLError, fitted
 
     drawings, cameras = {}, {}
     try:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 
+from ...declared_arguments import ARGUMENTS, Declared, listing_of
 from ...diagnostics import (
     Diagnostic,
     InputFault,
@@ -26,7 +27,6 @@ from ...targets.writers import ENDINGS
 from ...terminal import shortened
 from ...yaml.nodes import PLAIN, MappingNode, ScalarNode, SequenceNode, is_null
 from ...yaml.reader import read
-from ..declared_arguments import ARGUMENTS, Declared, listing_of
 from .axes import (
     Axis,
     Choices,
@@ -57,11 +57,11 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
     from typing import TypeVar
 
+    from ...declared_arguments import Listing
     from ...options import Options
     from ...policy import Limits, Policy
     from ...source import Source, Span
     from ...yaml.nodes import YamlNode
-    from ..declared_arguments import Listing
 
     T = TypeVar("T")
 

@@ -10,9 +10,8 @@ import time
 
 from ...files.regular import find_program
 from ...options import UsageError
+from ...rebuilding import INTERVAL, count_told
 from ...terminal import shortened
-from ..rebuilding import count_told
-from ..watching import INTERVAL
 from . import server
 from .session import Session
 
@@ -20,7 +19,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
 
-    from ..rebuilding import Rebuilder, Turn
+    from ...rebuilding import Rebuilder, Turn
 
 
 class ViewOptions:

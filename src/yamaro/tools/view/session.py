@@ -35,8 +35,8 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
     from io import BufferedReader
 
+    from ...rebuilding import Rebuilder, Turn
     from ...result import Build
-    from ..rebuilding import Rebuilder, Turn
     from .variables import Value
 
     Json = dict[str, object]

@@ -6,6 +6,13 @@ import math
 import os
 import re
 
+from ...declared_arguments import (
+    declared_names,
+    declared_of,
+    pairs_in,
+    plain_value,
+    xacro_arguments,
+)
 from ...diagnostics import InputFault, Reporter, YamaroError
 from ...files.loader import LoadError, MemoryLoader, decode
 from ...files.packages import PackageFinder
@@ -25,16 +32,14 @@ from ...syntax.argument_section import (
 from ...syntax.names import python_name
 from ...yaml.nodes import ScalarNode, type_plain
 from ...yaml.reader import read
-from ..declared_arguments import declared_names, declared_of, pairs_in, plain_value
-from ..xacro_arguments import xacro_arguments
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Collection, Iterable, Mapping
 
+    from ...declared_arguments import Declared
     from ...files.loader import Loader
     from ...source import Reading, Span
-    from ..declared_arguments import Declared
     from .description import Places
 
     Value = bool | int | float | str

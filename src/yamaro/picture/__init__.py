@@ -1,0 +1,1 @@
+"""Draws robots without a display: `yamaro picture`."""

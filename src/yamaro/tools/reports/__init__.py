@@ -1,1 +1,0 @@
-"""Findings of several files, as programs read them: `yamaro check --format`."""

@@ -1,0 +1,1 @@
+"""The kinematic tree of a robot, as text: `yamaro tree`."""

@@ -1,0 +1,1 @@
+"""A build at each save: `yamaro watch`."""

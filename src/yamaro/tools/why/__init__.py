@@ -1,0 +1,1 @@
+"""Where values of the output come from: `yamaro why`."""

@@ -1,0 +1,79 @@
+"""`yamaro why FILE ADDRESS`: where a value in the output comes from."""
+
+from __future__ import annotations
+
+from ...commands.command_table import ENDINGS, FILE_WORDS, Command
+from ...commands.conversion import convert_file
+from ...commands.option_table import BUILDING
+from ...commands.reports import WrongUsage, has_color
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ...commands.arguments import Arguments
+    from ...result import Build
+    from ...streams import Streams
+
+ADDRESS_WORD = ("ADDRESS", "elbow_joint/limit@upper, link:arm/visual[2], /gazebo[3] from the root")
+COMMAND = Command(
+    "why",
+    ("FILE ADDRESS [name:=value ...]",),
+    "show where a value in the output comes from",
+    "Show where in the YAML an element or attribute of the output comes from.",
+    words=(FILE_WORDS[0], ADDRESS_WORD, FILE_WORDS[1]),
+    looks=True,
+    endings=ENDINGS,
+    examples=("yamaro why robot.yaml elbow_joint/limit@upper",),
+    second="an ADDRESS after the file: elbow_joint/limit@upper",
+    place=8,
+    options=(
+        "json",
+        "to",
+        "quiet",
+        "verbose",
+        *BUILDING[1:],
+    ),
+    help_of={
+        "json": ("write the answer as JSON"),
+        "to": ("look ADDRESS up in the document of that output format"),
+    },
+)
+
+
+def run(arguments: Arguments, streams: Streams) -> int:
+    """Write the answer to standard output; return the exit status."""
+    address = arguments.words[1]
+    return convert_file(
+        arguments,
+        streams,
+        lambda build: [_answer(build, address, arguments, streams)],
+        has_root=True,
+        records=True,
+    )
+
+
+def _format_in(arguments: Arguments) -> str:
+    """Return the format whose document the address is looked up in."""
+    formats = arguments.lists.get("to", ["urdf"])
+    if len(formats) > 1 or "," in formats[0]:
+        raise WrongUsage("'yamaro why' looks an address up in one output format")
+    return formats[0].strip().lower()
+
+
+def _answer(build: Build, address: str, arguments: Arguments, streams: Streams) -> str:
+    from .answers import UnknownAddress, answer, answer_data, answer_text, in_formats
+
+    home = _format_in(arguments)
+    if home not in build.outputs:
+        raise WrongUsage(f"there is no {home} of this robot: {build.refused.get(home, '')}")
+    try:
+        found = answer(build.outputs[home].root, address, format=home)
+        found.formats = in_formats(found, home, build)
+    except UnknownAddress as error:
+        raise WrongUsage(str(error)) from None
+    if arguments.has("json"):
+        import json
+
+        return json.dumps(answer_data(found), indent=2) + "\n"
+    return answer_text(
+        found, color=has_color(arguments, is_terminal=streams.is_terminal(result=True))
+    )

@@ -1,8 +1,0 @@
-import pytest
-
-from tests.tools.picture.drawing import require_drawing
-
-
-@pytest.fixture(scope="session")
-def drawing() -> None:
-    require_drawing()
