@@ -22,7 +22,7 @@ model:
 - part: {name: base, link: {mass: 1, geometry: sphere, scale: 0.1}}%s
 - part:
     name: elbow
-    joint: {type: revolute, parent: base, limit: {lower: -1, upper: 1, effort: 0, velocity: 1}}%s
+    joint: {type: revolute, parent: base, axis: z, limit: {upper: 1, effort: 0, velocity: 1}}%s
     link: {mass: 1, geometry: sphere, scale: 0.1}
 """
 ACCEPTED = ARM % ("  # yamaro: allow root-inertia", "  # yamaro: allow zero-limit, unused-allow")

@@ -28,10 +28,12 @@ ADJUSTABLE = (
     ambiguous-parent anchored-expression angle-too-large assumed-limit axis-not-unit bad-color
     bad-inertia bad-mass bad-mesh bad-name bad-size bad-version base-assumed
     capsule-needs-urdf-1.1
-    comment-entry dollar-in-string duplicate-joint duplicate-link duplicate-material far-center
+    comment-entry dollar-in-string doubled-ending duplicate-joint duplicate-link
+    duplicate-material far-center
     fixed-mimic function-replaced gimbal-rpy hidden-package hidden-value ignored-limit joint-cycle
     large-mesh leftover-expression limit-order long-chain massless-moving mimic-cycle
-    mirror-axis mirror-raw misplaced-key misplaced-part missing-attribute missing-element
+    mirror-axis mirror-raw misplaced-key misplaced-part missing-attribute
+    missing-axis missing-element
     missing-extra missing-limit missing-mesh-file misspelt-statement needs-version open-loop
     negative-value no-link no-range not-a-number not-urdf odd-density odd-inertia odd-mass
     prefix-not-passed quaternion-not-unit repeated-element root-inertia several-roots

@@ -196,7 +196,7 @@ def test_an_odd_robot_gets_advice_and_no_warning(robot: BadRobot) -> None:
 @pytest.mark.parametrize("robot", ADVISED, ids=lambda robot: robot.name)
 def test_a_fault_in_an_extension_is_found_at_the_very_place(robot: BadRobot) -> None:
     assert found(robot.text) == []
-    findings = found(robot.text, advice=True)
+    findings = [d for d in found(robot.text, advice=True) if d.code != "missing-axis"]
     assert [d.code for d in findings] == robot.codes
     assert [(d.span.start, d.span.end) for d in findings] == robot.places
     assert all(d.hint and d.severity == WARNING for d in findings)

@@ -157,7 +157,7 @@ model:
 - part: {name: base}
 - part:
     name: arm
-    joint: {type: revolute, parent: base, limit: {lower: 0.5, upper: 2, effort: 1, velocity: 1}}
+    joint: {type: revolute, parent: base, axis: z, limit: {lower: 0.5, upper: 2}}
     link: {geometry: sphere, scale: 0.1, mass: 1}
 """
     write(text, "a.yaml")

@@ -7,12 +7,12 @@ from __future__ import annotations
 
 from math import dist, fabs, pi, remainder, sqrt
 
-from ..model.joint import CONTINUOUS, FIXED, FLOATING, LIMITED, PLANAR, REVOLUTE
+from ..model.joint import CONTINUOUS, FIXED, FLOATING, LIMITED, PLANAR, REVOLUTE, SINGLE
 from ..model.kinematics import base_of
 from ..model.link import Inertial
 from ..model.schema import ELEMENTS, OF_1_2, TEXT
 from ..model.shapes import Mesh
-from ..model.values import attribute_text
+from ..model.values import attribute_text, child_named
 from ..xml.tree import Element, Text
 from .context import CheckContext, counted, degrees_hint, label, shown
 from .files import advise_on_addresses
@@ -66,6 +66,7 @@ def check_advice(
     heavy = [name for name, link in links.items() if name not in children and link.inertial]
     heavy = heavy if heavy and _has_fixed_base(robot, tree) else []
     _advise_on_names([*links.values(), *joints.values()], told)
+    _advise_on_endings([*links.values(), *joints.values()], told)
     for name, link in links.items():
         told.outermost = link.element
         if heavy and name == heavy[0]:
@@ -83,6 +84,7 @@ def check_advice(
         _advise_on_limit(joint, told)
     told.outermost = None
     _advise_on_zero_limits(joints.values(), told)
+    _advise_on_axes(joints.values(), told)
     advise_on_motion(robot, tree, told)
     advise_on_addresses(context, told)
     if context.has_extensions:
@@ -140,6 +142,24 @@ def _advise_on_names(named: list[Link | Joint], context: CheckContext) -> None:
             hint="tools that use it for topics or files fail; use '_', and "
             "a frame_prefix for robot_state_publisher",
             notes=[f"{more} more name{'s have' if more > 1 else ' has'} one"] if more else (),
+        )
+
+
+def _advise_on_endings(named: list[Link | Joint], context: CheckContext) -> None:
+    """Report, once, names such as `arm_link_link`: the part has been called `arm_link`."""
+    found = [each for each in named if each.name.endswith(("_link_link", "_joint_joint"))]
+    for group in context.apart("doubled-ending", found, lambda each: (each.element, "name")):
+        name, element = group[0].name, group[0].element
+        whole = name.rpartition("_")[0]
+        more = len(group) - 1
+        context.warn(
+            "doubled-ending",
+            f"the name of {element.name} '{name}' ends in '_{element.name}' twice",
+            element,
+            attribute="name",
+            hint=f"name the part '{whole.rpartition('_')[0]}', to which the ending is added, or "
+            f"write the whole name: `{element.name}/name={whole}:`",
+            notes=[f"{more} more name{'s end' if more > 1 else ' ends'} so"] if more else (),
         )
 
 
@@ -273,6 +293,26 @@ def _advise_on_zero_limits(joints: Iterable[Joint], context: CheckContext) -> No
             attribute=attributes[0],
             hint="planners and simulators use it literally; write the limit of the motor",
             notes=counted([each.name for each, *_ in group[1:]], "joint", "has such a limit"),
+        )
+        context.outermost = None
+
+
+def _advise_on_axes(joints: Iterable[Joint], context: CheckContext) -> None:
+    """Report, once, joints that move about or along x because they have no axis."""
+    found = [
+        each for each in joints if each.type in SINGLE and child_named(each.element, "axis") is None
+    ]
+    for group in context.apart("missing-axis", found, lambda each: (each.element, None)):
+        joint = group[0]
+        context.outermost = joint.element
+        context.warn(
+            "missing-axis",
+            f"the {joint.type} joint '{joint.name}' has no axis, which means x: 1 0 0",
+            joint.element,
+            hint="write `axis/xyz=1 0 0:` to say so, or the axis that is meant"
+            if joint.element.span.source.is_xml
+            else "write axis: x to say so, or the axis that is meant",
+            notes=counted([each.name for each in group[1:]], "joint", "has none"),
         )
         context.outermost = None
 

@@ -330,12 +330,13 @@ def _reference(joint: Joint, role: str, tree: Tree, context: CheckContext) -> st
         return name
     context.outermost = joint.element
     hint, fix = near_name(element.value_span("link"), name, tree, "_link", context)
+    known = f": {listed(list(tree.links))}" if tree.links else ""
     context.error(
         f"unknown-{role}",
         f"the {role} '{name}' of joint '{joint.written('name')}' is not a link of the robot",
         element,
         attribute="link",
-        hint=hint or f"add a link named '{name}', or refer to an existing link",
+        hint=hint or f"add a link named '{name}', or refer to an existing link{known}",
         fix=fix,
     )
     return None
