@@ -56,7 +56,9 @@ def test_texts_that_xacro_would_read_as_truth_values_are_reported(tmp_path: Path
     migration = migrate_robot(source, str(tmp_path), arguments=(), packages={}, limits=Limits())
     assert migration.has_section
     assert migration.texts == ["con"]
-    assert any(line.startswith("with con:=true or con:=false ") for line in remarks_on(migration))
+    assert any(
+        line.startswith("with con:=true xacro writes True, ") for line in remarks_on(migration)
+    )
 
 
 def test_an_argument_stays_apart_from_a_property_of_its_name(tmp_path: Path) -> None:

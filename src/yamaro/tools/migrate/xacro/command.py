@@ -487,8 +487,8 @@ def remarks_on(migration: XacroMigration) -> list[str]:
         others = migration.texts[1:]
         also = f"; so for {', '.join(others)}" if others else ""
         lines.append(
-            f"with {name}:=true or {name}:=false xacro writes True or False, the sources write the "
-            f"text as it is given{also}"
+            f"with {name}:=true xacro writes True, and with {name}:=01 it writes 1; the sources "
+            f"write the text as it is given{also}"
         )
     if not migration.is_compared_with_xacro:
         lines.append("compared with Yamaro's own expansion; with yamaro[xacro], with xacro's")
