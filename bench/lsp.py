@@ -17,7 +17,7 @@ sys.path.insert(0, str(ROOT))
 
 from tests.tools.lsp.client import Client  # noqa: E402
 from tests.tools.lsp.editing import edit_at_random  # noqa: E402
-from yamaro.tools.lsp import completion  # noqa: E402
+from yamaro.tools.lsp.completion import completion  # noqa: E402
 from yamaro.tools.lsp.protocol import position_at  # noqa: E402
 from yamaro.tools.lsp.workspace import Workspace  # noqa: E402
 
@@ -135,7 +135,7 @@ def prefixes(setting: Setting) -> Iterator[Figure]:
             }
             assert opened.names
             started = time.process_time()  # of which the rest of the machine takes no part
-            completion.answer(workspace, parameters)
+            completion(workspace, parameters)
             slowest = max(slowest, time.process_time() - started)
             count += 1
         gc.collect()  # as the server does: when it has nothing else to do

@@ -157,7 +157,11 @@ model:
 - part: {name: base}
 - part:
     name: arm
-    joint: {type: revolute, parent: base, axis: z, limit: {lower: 0.5, upper: 2}}
+    joint:
+      type: revolute
+      parent: base
+      axis: z
+      limit: {lower: 0.5, upper: 2, effort: 5, velocity: 2}
     link: {geometry: sphere, scale: 0.1, mass: 1}
 """
     write(text, "a.yaml")
