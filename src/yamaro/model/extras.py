@@ -54,7 +54,7 @@ class Lidar(Public):
     range: tuple[float, float]
 
     def __init__(self, element: Element) -> None:
-        _take(self, element, LIDAR)
+        _take_details(self, element, LIDAR)
         step = self.angle / self.rays if _is_circle(self.angle) else 0.0
         self._ends = (-self.angle / 2, self.angle / 2 - step)
         self._tilt_ends = (-self.tilt / 2, self.tilt / 2)
@@ -99,7 +99,7 @@ class Camera(Public):
     clip: tuple[float, float]
 
     def __init__(self, element: Element) -> None:
-        _take(self, element, "camera")
+        _take_details(self, element, "camera")
 
 
 class Ranger(Public):
@@ -116,7 +116,7 @@ class Ranger(Public):
     fov: float
 
     def __init__(self, element: Element) -> None:
-        _take(self, element, RANGE)
+        _take_details(self, element, RANGE)
 
 
 class Sensor(Written):
@@ -202,7 +202,7 @@ def _pair(element: Element, attribute: str, default: tuple[float, float]) -> tup
     return (row[0], row[1]) if len(row) == 2 else default
 
 
-def _take(details: Lidar | Camera | Ranger, element: Element, kind: str) -> None:
+def _take_details(details: Lidar | Camera | Ranger, element: Element, kind: str) -> None:
     """Take the values of a type of sensor from an element: whole numbers where it counts."""
     for name, field in SENSORS[kind].fields.items():
         row = _row(element, name)
@@ -232,7 +232,7 @@ class Noted(Written):
     def _take(self, thing: Thing) -> None:
         """Take the values of a thing's fields from the attributes."""
         for name, field in thing.fields.items():
-            found = self.written(name) if field.count == TEXT else self.number(name)
+            found = (self.written(name) or None) if field.count == TEXT else self.number(name)
             setattr(self, name, field.default if found is None else found)
 
     def _text(self, attribute: str) -> str:

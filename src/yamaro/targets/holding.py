@@ -9,8 +9,14 @@ SRDF is read with a URDF, so that it loses nothing that it does not say; it has 
 
 from __future__ import annotations
 
+from functools import cache
+
 from ..model.schema import COLLISIONS, CONTROL, GROUP
 from .output import APPROXIMATED, LOST
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping
 
 FORMATS = ("urdf", "sdf", "mjcf", "usd")
 """The formats of the cells of a row, in their order."""
@@ -202,7 +208,8 @@ def cell(format: str, thing: str, field: str) -> Cell:
     return ROWS[f"{thing}.{field}"][FORMATS.index(format)]
 
 
-def lost_fields(format: str, thing: str) -> dict[str, Missing]:
+@cache  # it is asked for each joint
+def lost_fields(format: str, thing: str) -> Mapping[str, Missing]:
     """Return the fields of a thing that a format loses whatever they are, each with the loss."""
     found = {}
     for name, cells in ROWS.items():
