@@ -315,10 +315,9 @@ def evaluate(request: Request, interpreter: Interpreter) -> Element:
 def _is_of_robots(word: str) -> bool:
     """Return whether a word is a key of parts, or an element of URDF or often in it."""
     from .model.schema import ELEMENTS
-    from .robot.fields import COLLISION, INERTIAL, JOINT, LINK, PART, VISUAL
+    from .robot.fields import PLACES
 
-    places = (PART, JOINT, LINK, VISUAL, COLLISION, INERTIAL)
-    return word in ELEMENTS or any(word in each.all_keys | each.elements for each in places)
+    return word in ELEMENTS or any(word in each.all_keys | each.elements for each in PLACES)
 
 
 def lower(

@@ -8,15 +8,12 @@ import subprocess
 from pathlib import Path
 from xml.parsers import expat
 
-import numpy as np
 import pytest
 import trimesh
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from tests.counting import calls_of
-from tests.effort import examples
-from yamaro.check.link import principal_moments
 from yamaro.check.robot import check
 from yamaro.check.semantics import findings_against
 from yamaro.diagnostics import WARNING, Diagnostic, Reporter
@@ -480,16 +477,6 @@ def test_a_link_with_a_mesh_gets_no_advice_on_its_density() -> None:
 
 
 # --- numbers ----------------------------------------------------------------------------------
-
-
-@settings(max_examples=examples(200))
-@given(st.lists(st.floats(-1e6, 1e6), min_size=6, max_size=6))
-def test_principal_moments_are_the_eigenvalues(values: list[float]) -> None:
-    ixx, ixy, ixz, iyy, iyz, izz = values
-    matrix = np.array([[ixx, ixy, ixz], [ixy, iyy, iyz], [ixz, iyz, izz]])
-    expected = np.linalg.eigvalsh(matrix)
-    scale = max(1e-300, float(np.abs(matrix).max()))
-    assert np.allclose(principal_moments(values), expected, rtol=0, atol=1e-12 * scale)
 
 
 @given(st.floats(allow_nan=False, allow_infinity=False))

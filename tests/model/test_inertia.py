@@ -35,6 +35,15 @@ def test_moments_and_axes_make_the_matrix_again(a, b, c, w, x, y, z):
     assert np.linalg.det(np.array(axes)) == pytest.approx(1, abs=1e-14)
 
 
+@given(st.lists(st.floats(-1e6, 1e6), min_size=6, max_size=6))
+def test_moments_are_the_eigenvalues_of_any_symmetric_matrix(values):
+    xx, xy, xz, yy, yz, zz = values
+    matrix = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+    found, _ = principal_axes(rows(matrix))
+    scale = max(1e-300, float(np.abs(matrix).max()))
+    assert np.allclose(sorted(found), np.linalg.eigvalsh(matrix), rtol=0, atol=1e-12 * scale)
+
+
 def test_a_diagonal_matrix_is_left_alone():
     found, axes = principal_axes(((3.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 2.0)))
     assert found == (3.0, 1.0, 2.0)

@@ -302,6 +302,44 @@ model:
     assert "and:" not in out
 
 
+@pytest.mark.parametrize(
+    ("address", "answer"),
+    [
+        ("rod_joint/axis@xyz", 'mjcf: <body name="rod_link"> <joint axis="0 1 0">'),
+        ("rod_joint@type", 'sdf: <model name="pole"> <joint type="revolute">'),
+        ("rod_joint/limit@effort", 'mjcf: <body name="rod_link"> <joint actuatorfrcrange="-5 5">'),
+        ("rod_joint/origin", 'mjcf: <body name="base_link"> <body pos="0 0 1">'),
+        ("rod_link/visual/origin@xyz", 'sdf: <visual name="rod_link_visual"> <pose> 0 0 0.2 0 0 0'),
+    ],
+)
+def test_values_are_found_by_the_names_that_formats_have_for_them(
+    capsys: pytest.CaptureFixture[str], address: str, answer: str
+) -> None:
+    # Sources: MuJoCo's XML reference (joint: axis, actuatorfrcrange; body: pos; geom: size), and
+    # the specification of SDFormat (joint: type; visual: pose).
+    Path("robot.yaml").write_text("""
+robot: pole
+base: fixed
+model:
+- part: {name: base}
+- part:
+    name: rod
+    joint:
+      type: revolute
+      parent: base
+      xyz: 0 0 1
+      axis: y
+      limit: {lower: -1, upper: 1, effort: 5, velocity: 2}
+    link:
+      geometry: cylinder
+      scale: 0.02 0.5
+      mass: 1
+      visual: {xyz: 0 0 0.2}
+""")
+    out = outcome(capsys, "why", "robot.yaml", address)[1]
+    assert answer in out
+
+
 def test_a_value_that_is_not_written_leads_to_the_key_that_it_follows_from(
     capsys: pytest.CaptureFixture[str],
 ) -> None:

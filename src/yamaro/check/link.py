@@ -65,7 +65,12 @@ def _check_inertia(inertia: Element, link: Element, context: CheckContext) -> No
         if number is None:
             return
         values.append(number)
-    moments = principal_moments(values)
+    ixx, ixy, ixz, iyy, iyz, izz = values
+    moments = (ixx, iyy, izz)
+    if ixy or ixz or iyz:
+        from ..model.inertia import principal_axes
+
+        moments, _ = principal_axes(((ixx, ixy, ixz), (ixy, iyy, iyz), (ixz, iyz, izz)))
     fault = _inertia_fault(moments)
     if fault is None:
         context.sound.add(texts)
@@ -81,9 +86,9 @@ def _check_inertia(inertia: Element, link: Element, context: CheckContext) -> No
 
 
 def _inertia_fault(moments: tuple[float, float, float]) -> str | None:
-    """Say why no body has these principal moments, ascending, in kg·m²; None if one can have."""
+    """Say why no body has these principal moments, in kg·m²; None if one can have."""
     negligible = 1e-12 * max(moments)
-    low, middle, high = (0.0 if fabs(m) < negligible else m for m in moments)
+    low, middle, high = (0.0 if fabs(m) < negligible else m for m in sorted(moments))
     if low <= 0:
         if high == 0 and low == 0:
             return "all its entries are 0"
@@ -99,45 +104,6 @@ def _inertia_fault(moments: tuple[float, float, float]) -> str | None:
 
 def _all_shown(low: float, middle: float, high: float) -> str:
     return f"{shown(low)}, {shown(middle)} and {shown(high)}"
-
-
-def principal_moments(values: list[float]) -> tuple[float, float, float]:
-    """Return the eigenvalues of ixx ixy ixz iyy iyz izz, ascending, by Jacobi's rotations.
-
-    Source: Golub and Van Loan, Matrix Computations, section 8.5 (cyclic Jacobi).
-    """
-    ixx, ixy, ixz, iyy, iyz, izz = values
-    if ixy == 0 and ixz == 0 and iyz == 0:
-        low, middle, high = sorted((ixx, iyy, izz))
-        return low, middle, high
-    scale = max(fabs(value) for value in values)
-    matrix = [[ixx, ixy, ixz], [ixy, iyy, iyz], [ixz, iyz, izz]]
-    matrix = [[entry / scale for entry in row] for row in matrix]
-    for _ in range(30):
-        if hypot(matrix[0][1], matrix[0][2], matrix[1][2]) < 1e-16:
-            break
-        for p, q in ((0, 1), (0, 2), (1, 2)):
-            _rotate(matrix, p, q)
-    low, middle, high = sorted(matrix[i][i] * scale for i in range(3))
-    return low, middle, high
-
-
-def _rotate(matrix: list[list[float]], p: int, q: int) -> None:
-    """Rotate rows and columns p and q so that their common entry becomes 0."""
-    entry = matrix[p][q]
-    if entry == 0:
-        return
-    theta = (matrix[q][q] - matrix[p][p]) / (2 * entry)
-    t = (1.0 if theta >= 0 else -1.0) / (fabs(theta) + hypot(theta, 1.0))
-    c = 1 / hypot(t, 1.0)
-    s = t * c
-    r = 3 - p - q
-    matrix[p][p] -= t * entry
-    matrix[q][q] += t * entry
-    matrix[p][q] = matrix[q][p] = 0.0
-    rp, rq = matrix[r][p], matrix[r][q]
-    matrix[r][p] = matrix[p][r] = c * rp - s * rq
-    matrix[r][q] = matrix[q][r] = s * rp + c * rq
 
 
 # --- shapes -----------------------------------------------------------------------------------

@@ -156,10 +156,13 @@ SENSOR = PartPlace(
     example="type: imu",
 )
 
+PLACES = (PART, JOINT, LINK, VISUAL, COLLISION, INERTIAL)
+"""The places of a part whose keys are in one table; not those of words such as `sensor`."""
+
 _LINK_HINT = "it belongs under 'link:'"
 _JOINT_HINT = "it belongs under 'joint:'"
 _SURFACE_HINT = "it belongs in 'collision:'"
-_HOMES: dict[str, dict[str, str]] = {
+HOMES: dict[str, dict[str, str]] = {
     "part": {
         "surface": _SURFACE_HINT,
         **dict.fromkeys((*sorted(SHAPE_KEYS), "mass", "density"), _LINK_HINT),
@@ -205,11 +208,12 @@ _HOMES: dict[str, dict[str, str]] = {
         "name": "write it as an attribute: visual/name=…",
     },
 }
+"""Where keys belong that a place does not have, as hints, by the name of the place."""
 
 
 def home_of(name: str, place_name: str) -> str | None:
     """Return where a key belongs that `place_name` does not have, as a hint, or None."""
-    homes = _HOMES.get(place_name) or _HOMES["section"]
+    homes = HOMES.get(place_name) or HOMES["section"]
     return homes.get(name)
 
 

@@ -12,7 +12,7 @@ from ..model.reading import read_robot
 from ..xml.tree import Element
 from ..xml.values import format_value
 from .lowering import names_of
-from .notes import RobotNote, take_notes
+from .notes import GROUP, NAMED, RobotNote, take_notes
 from .numbers import read_numbers
 from .rigid import ends_of, name_of
 
@@ -96,16 +96,11 @@ class _Names:
         return True
 
 
-GROUP = "robot-group"
-_NAMED = {"sensor": "sensor", GROUP: "group", "robot-loop": "loop"}
-"""What is named once in a robot, besides links, joints and controls."""
-
-
 def _refuse_names_twice(lowering: Lowering, notes: Iterable[RobotNote]) -> None:
     seen: dict[tuple[str, str], RobotNote] = {}
     for note in notes:
-        kind, name = _NAMED.get(note.name), name_of(note)
-        if kind is None:
+        kind, name = NAMED.get(note.name), name_of(note)
+        if kind is None or kind == "control":  # `control.py` looks at those
             continue
         first = seen.setdefault((kind, name), note)
         # Sensors that both have frames of their name are reported as links.

@@ -16,7 +16,7 @@ from ..xml.values import format_value
 from .extras import OPTICAL
 from .lowering import names_of
 from .naming import WordRenaming
-from .notes import RobotNote, check_keys, one_of, place_of
+from .notes import NAMED, RobotNote, check_keys, one_of, place_of
 from .numbers import negated
 from .rigid import RigidLinks, child_links, link_of, name_of, pose_of, set_pose
 
@@ -185,15 +185,6 @@ def _own_links(lowering: Lowering, mirror: Mirror) -> set[str]:
         elif isinstance(node, Element) and node.name == "link":
             names.add(name_of(node))
     return names
-
-
-_NAMED_NOTES = {
-    "sensor": "sensor",
-    "robot-group": "group",
-    "robot-loop": "loop",
-    "ros2_control": "control",
-}
-"""What is named once in a robot, besides links and joints."""
 
 
 class _Present:
@@ -412,7 +403,7 @@ class _Image:
         """Return whether an image can have its name beside the original; else record it."""
         kind = original.name if original.name in ("link", "joint") else None
         if isinstance(original, RobotNote):
-            kind = _NAMED_NOTES.get(original.name)
+            kind = NAMED.get(original.name)
         if kind is None or name_of(original) != name_of(copy):
             return True
         name = name_of(original)

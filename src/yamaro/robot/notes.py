@@ -27,6 +27,9 @@ JOINT_WORDS = frozenset(("actuator", "sensor"))
 """Keys of a joint that are worked out beside it."""
 SURFACE = "surface"
 """A key of a collision that is worked out beside its link."""
+GROUP = "robot-group"
+NAMED = {"sensor": "sensor", GROUP: "group", "robot-loop": "loop", "ros2_control": "control"}
+"""The notes that are named once in a robot, and what messages call them."""
 
 
 class RobotNote(Element):

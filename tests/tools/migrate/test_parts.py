@@ -1460,6 +1460,7 @@ def test_elements_named_like_newer_words_are_in_brackets() -> None:
           <parent link="base_link"/>
           <child link="arm_link"/>
           <actuator name="motor"/>
+          <rising>1</rising>
         </joint>
         <link name="arm_link"/>
         <loop><joint name="arm_joint"/></loop>
@@ -1468,3 +1469,4 @@ def test_elements_named_like_newer_words_are_in_brackets() -> None:
     for name in ("surface", "sensor/name=eye", "frame/name=tool", "actuator/name=motor", "loop"):
         assert f"<{name}>:" in text
     assert "<mjcf>:" in text
+    assert "<rising>:" in text

@@ -8,6 +8,8 @@ from ...model.inertia import MESH_ENDINGS
 from ...model.schema import ELEMENTS, MOMENTS, RECORDS
 from ...model.shapes import COUNTS, SIMPLE_SHAPES
 from ...model.values import values_of
+from ...robot.fields import HOMES, PLACES
+from ...robot.notes import JOINT_WORDS, LINK_WORDS
 from ...syntax.names import RAW_BLOCKS
 from ...xml.tree import Element, Text
 from ...xml.values import format_value
@@ -312,12 +314,9 @@ def is_word(name: str) -> bool:
 
 
 SECTIONS = ("visual", "collision", "inertial")
-PART_KEYS = frozenset(
-    """name joint link type parent child axis limit dynamics mimic safety_controller calibration
-    xyz rpy pivot origin geometry scale mass density visual collision inertial inertia material
-    color texture lower upper effort velocity damping friction multiplier offset radius length size
-    frame sensor actuator surface""".split()
-) | frozenset(RAW_BLOCKS)
+PART_KEYS = frozenset().union(
+    *(place.all_keys for place in PLACES), *HOMES.values(), LINK_WORDS, JOINT_WORDS, RAW_BLOCKS
+)
 """Names that mean something in a part, or are reported there as misplaced."""
 
 

@@ -8,8 +8,10 @@ which each element knows where it was made, and what the expressions there read:
 from __future__ import annotations
 
 from ...diagnostics import INHERITED, Frame, suggest
+from ...model.schema import ELEMENTS
 from ...rendering import excerpt_lines, trace_lines
 from ...source import RecordedSpan, Span
+from ...targets.holding import FORMATS, cell
 from ...terminal import BOLD, CYAN, painted, shortened
 from ...xml.tree import Element, Text
 from ...xml.values import escaped_attribute, format_value
@@ -70,28 +72,25 @@ class Answer:
         self.attribute = attribute
         self.path = path
         self.formats = {"urdf": tags_of(path, attribute)}
-        self.trace = _trace_of(path)
+        own = [each.trace for each in reversed(path) if each.trace is not INHERITED]
+        self.trace: Frame | None = own[0] if own else None
         self.span: Span = element.span
         self.value: str | None = None
         self.is_derived = False
         self.name_span: Span | None = None
         if attribute is not None:
-            self._answer_for(attribute)
+            self.value = format_value(element.attributes[attribute])
+            self.span = element.value_span(attribute)
+            if isinstance(self.span, RecordedSpan) and attribute in ("name", "link"):
+                self.name_span = self.span.name_span
+            if self.name_span is None:
+                is_mass_by_volume = element.name == "mass" and element.span.written() == "density"
+                self.is_derived = self._follows_from_key() or is_mass_by_volume
             return
         texts = [child for child in element.children if isinstance(child, Text)]
         if texts and format_value(texts[0].value).strip():
             self.value, self.span = element.text(), texts[0].span
             self.is_derived = self._follows_from_key()
-
-    def _answer_for(self, attribute: str) -> None:
-        element = self.element
-        self.value = format_value(element.attributes[attribute])
-        self.span = element.value_span(attribute)
-        if isinstance(self.span, RecordedSpan) and attribute in ("name", "link"):
-            self.name_span = self.span.name_span
-        if self.name_span is None:
-            is_mass_by_volume = element.name == "mass" and element.span.written() == "density"
-            self.is_derived = self._follows_from_key() or is_mass_by_volume
 
     def _follows_from_key(self) -> bool:
         """Return whether the value has no place of its own, and is not what its key says."""
@@ -175,7 +174,12 @@ def _named(root: Element, address: str) -> tuple[list[Element], str]:
         if name and (rest == name or rest.startswith((f"{name}/", f"{name}@"))):
             found.setdefault(name, []).append(element)
     if not found:
-        raise _unknown_name(kind, rest, among)
+        name = rest.partition("@")[0].partition("/")[0]
+        known = [known for element in among if (known := _name_of(element))]
+        begun = [each for each in (f"{name}_joint", f"{name}_link") if each in known]
+        near = "; did you mean " + " or ".join(map(repr, begun)) + "?" if begun else ""
+        what = kind or "link or joint"
+        raise UnknownAddress(f"there is no {what} '{name}'{near or _likely(name, known)}")
     name = max(found, key=len)
     matches = found[name]
     if not kind and len({element.name for element in matches}) > 1:
@@ -197,16 +201,6 @@ def _named_deep(root: Element, address: str) -> tuple[list[Element], str]:
     whole = root.with_children([each for each in pending if each is not root])
     found, rest = _named(whole, address)
     return paths[id(found[-1])], rest
-
-
-def _unknown_name(kind: str, rest: str, among: Sequence[Element]) -> UnknownAddress:
-    name = rest.partition("@")[0].partition("/")[0]
-    known = [known for element in among if (known := _name_of(element))]
-    begun = [each for each in (f"{name}_joint", f"{name}_link") if each in known]
-    near = "; did you mean " + " or ".join(map(repr, begun)) + "?" if begun else ""
-    return UnknownAddress(
-        f"there is no {kind or 'link or joint'} '{name}'{near or _likely(name, known)}"
-    )
 
 
 def _name_of(element: Element) -> str:
@@ -241,29 +235,24 @@ def _likely(word: str, known: Sequence[str]) -> str:
     return f"; it has {', '.join(listed)}" if 0 < len(listed) <= 8 else ""
 
 
-def _trace_of(path: Sequence[Element]) -> Frame | None:
-    for element in reversed(path):
-        if element.trace is not INHERITED:
-            return element.trace
-    return None
-
-
 # --- as text and as data ----------------------------------------------------------------------
 
 
 def answer_text(answer: Answer, *, color: bool = False) -> str:
     """Return an answer for people, which ends in a line break."""
-    paint = painted if color else _plain
+    paint = painted if color else lambda text, _: text
     value = "" if answer.value is None else f" = {answer.value}"
     lines = [paint(shortened(answer.address + value), BOLD)]
     lines += excerpt_lines(answer.span, list(_remarks(answer)), CYAN, paint)
     if answer.attribute is None:
-        lines += _attribute_lines(answer.element)
+        rows = []
+        for name, attribute in answer.element.attributes.items():
+            if attribute is not None:
+                text = shortened(f"{name} = {format_value(attribute)}")
+                rows.append((text, answer.element.value_span(name).place()))
+        width = max((len(text) for text, _ in rows), default=0)
+        lines += [f"  @{text.ljust(width)}  {place}" for text, place in rows]
     return "\n".join(lines) + "\n"
-
-
-def _plain(text: str, style: str) -> str:
-    return text
 
 
 def _remarks(answer: Answer) -> Iterator[tuple[str, str]]:
@@ -275,7 +264,8 @@ def _remarks(answer: Answer) -> Iterator[tuple[str, str]]:
     for span in answer.others:
         yield "and: ", f"{span.written()}, at {span.place()}"
     for reading in _all_readings(answer):
-        yield f"{reading.name} = ", f"{reading.value}{_set_at(reading)}"
+        place = "" if reading.span is None else f", set at {reading.span.place()}"
+        yield f"{reading.name} = ", f"{reading.value}{place}"
     for line in trace_lines(answer.trace):
         yield "", line
     for span in answer.mirrors:
@@ -294,22 +284,13 @@ def _all_readings(answer: Answer) -> list[Reading]:
     return readings
 
 
-def _set_at(reading: Reading) -> str:
-    return "" if reading.span is None else f", set at {reading.span.place()}"
-
-
-def _attribute_lines(element: Element) -> list[str]:
-    rows = []
-    for name, value in element.attributes.items():
-        if value is not None:
-            text = shortened(f"{name} = {format_value(value)}")
-            rows.append((text, element.value_span(name).place()))
-    width = max((len(text) for text, _ in rows), default=0)
-    return [f"  @{text.ljust(width)}  {place}" for text, place in rows]
-
-
 def answer_data(answer: Answer) -> dict[str, object]:
     """Return an answer as data for JSON. Lines and columns count from 1."""
+    steps: list[Frame] = []  # the calls and includes that led there, innermost first
+    trace = answer.trace
+    while trace is not None and len(steps) < MAX_STEPS:
+        steps.append(trace)
+        trace = trace.parent
     return {
         "address": answer.address,
         "element": answer.element.name,
@@ -329,8 +310,7 @@ def answer_data(answer: Answer) -> dict[str, object]:
             for each in _all_readings(answer)
         ],
         "steps": [
-            {"kind": step.kind, "name": step.name, "place": _place(step.span)}
-            for step in _steps(answer.trace)
+            {"kind": step.kind, "name": step.name, "place": _place(step.span)} for step in steps
         ],
         "formats": answer.formats,
         "attributes": {}
@@ -341,14 +321,6 @@ def answer_data(answer: Answer) -> dict[str, object]:
             if value is not None
         },
     }
-
-
-def _steps(trace: Frame | None) -> Iterator[Frame]:
-    """Yield the calls and includes that led to a place, innermost first."""
-    count = 0
-    while trace is not None and count < MAX_STEPS:
-        yield trace
-        trace, count = trace.parent, count + 1
 
 
 def _place(span: Span) -> dict[str, object]:
@@ -368,14 +340,6 @@ def _place(span: Span) -> dict[str, object]:
 # --- what each output format makes of an element or attribute ---------------------------------
 
 
-OTHERWISE = {
-    "lower": ("range", "lowerLimit"),
-    "upper": ("range", "upperLimit"),
-    "effort": ("maxForce",),
-}
-"""Attributes that formats call otherwise, or write in one, with the names that they may have."""
-POSES = {"xyz": ("pos",), "rpy": ("quat", "euler")}
-"""The attributes of an origin, with the names of the attributes that hold them in MJCF."""
 MOST = 3
 """How many places in an output are named."""
 SHAPES = ("visual", "collision", "geom")
@@ -395,8 +359,14 @@ def in_formats(answer: Answer, home: str, build: Build) -> dict[str, str]:
     for format, output in build.outputs.items():
         if format == home:
             said[format] = tags_of(answer.path, answer.attribute)
-        else:
-            said[format] = _in_format(answer, output)
+            continue
+        loss = _loss_of(answer, output.losses)
+        found = _found(answer, output.root, _names_in(format, answer))
+        texts = [_shown(found)] if found else []
+        if loss is not None:
+            texts = [] if loss.kind == "lost" else texts
+            texts.append(f"{loss.kind} ({loss.what})" + (f": {loss.how}" if loss.how else ""))
+        said[format] = ", ".join(texts) or "nothing"
     for format, reason in build.refused.items():
         said[format] = f"not written: {reason}"
     return said
@@ -415,34 +385,27 @@ def tags_of(path: Sequence[Element], attribute: str | None) -> str:
     return " ".join(tags)
 
 
-def _in_format(answer: Answer, output: Build) -> str:
-    loss = _loss_of(answer, output.losses)
-    found = _found(answer, output.root)
-    if loss is not None:
-        how = f": {loss.how}" if loss.how else ""
-        said = f"{loss.kind} ({loss.what}){how}"
-        if loss.kind == "lost" or not found:
-            return said
-        return f"{_shown(found)}, {said}"
-    return _shown(found) if found else "nothing"
+def _names_in(format: str, answer: Answer) -> list[str]:
+    """Return what a format calls the value asked for; of an origin as a whole, each of its values.
+
+    USD's names are those in their schema: `lowerLimit` is `physics:lowerLimit` in a prim.
+    """
+    thing, attribute = ELEMENTS.get(answer.element.name), answer.attribute
+    if thing is None or format not in FORMATS or attribute == "name":  # all have a name
+        return []
+    fields = list(thing.fields) if attribute is None and thing.name == "origin" else [attribute]
+    cells = [cell(format, thing.name, each) for each in fields if each in thing.fields]
+    return [each.rpartition(":")[2] for each in cells if isinstance(each, str)]
 
 
 def _shown(found: Found) -> str:
-    texts = [tags_of(_near(path), attribute) for path, attribute in found[:MOST]]
-    texts = [
-        f"{text} {path[-1].text().strip()}".strip()
-        for text, (path, _) in zip(texts, found, strict=False)
-    ]
+    texts = []
+    for path, attribute in found[:MOST]:
+        named = [at for at in range(1, len(path) - 1) if "name" in path[at].attributes]
+        near = [path[0], *path[named[-1] if named else -1 :]]
+        texts.append(f"{tags_of(near, attribute)} {path[-1].text().strip()}".strip())
     more = f", and {len(found) - MOST} more" if len(found) > MOST else ""
     return "; ".join(dict.fromkeys(texts)) + more
-
-
-def _near(path: Path) -> Path:
-    """Return a path from the innermost element around the end that has a name."""
-    for index in range(len(path) - 2, 0, -1):
-        if "name" in path[index].attributes:
-            return [path[0], *path[index:]]
-    return [path[0], path[-1]]
 
 
 # --- losses -----------------------------------------------------------------------------------
@@ -472,18 +435,26 @@ def _owner(path: Sequence[Element]) -> str:
 # --- places -----------------------------------------------------------------------------------
 
 
-def _found(answer: Answer, root: Element) -> Found:
+def _found(answer: Answer, root: Element, names: list[str]) -> Found:
     """Return the elements and attributes that are made of what was asked for.
 
-    They are at its place; or else in what is made of its link or joint, and called like it; or at
-    least made of the same element.
+    They are at its place; or else in what is made of its link or joint, and called like it, or
+    by one of the names; or at least made of the same element.
     """
     owner = _owner(answer.path)
-    paths = list(_paths(root))
-    homes = _homes(answer, paths, owner)
-    poses = _pose_of(answer, homes)
-    if poses:
-        return poses
+    paths: list[Path] = []
+    pending: list[Path] = [[root]]
+    while pending:
+        path = pending.pop()
+        paths.append(path)
+        pending += [[*path, child] for child in reversed(path[-1].elements())]
+    homes: Found = []  # what is made of the innermost element around it, or of itself
+    for element in reversed(answer.path[1:-1] or answer.path[-1:]):
+        homes = homes or _own(_made_of(paths, element), owner)
+    if answer.element.name == "origin":
+        poses = _poses(homes, names)
+        if poses:
+            return poses
     exact: Found = []
     if answer.value is not None:
         exact = _own([found for path in paths for found in _at(path, answer.span.key())], owner)
@@ -492,51 +463,28 @@ def _found(answer: Answer, root: Element) -> Found:
         if homes:  # a mirrored limit is at the place of the other side's
             exact = [found for found in exact if _is_of(found[0], owner)]
         exact = inside or ([] if is_of_shape else exact)
-    if exact and answer.attribute is not None:
-        return exact
-    inner: Found = [(path, None) for path in paths if _is_in(path, homes) and _is_of(path, owner)]
-    named = _named_like(answer, inner)
-    return named or exact or _own(_made_of(paths, answer.element), owner) or homes[:1]
-
-
-def _named_like(answer: Answer, inner: Found) -> Found:
-    """Return what has the name of the attribute or element asked for, or the one it has there."""
     if answer.attribute is None:
-        return []
-    named: Found = [
-        (path, name)
-        for path, _ in inner
-        for name in OTHERWISE.get(answer.attribute, ())
-        if name in path[-1].attributes
-    ]
-    for word in (answer.attribute, answer.element.name):
-        named = named or [found for found in inner if found[0][-1].name == word]
-    return named
+        return exact or _own(_made_of(paths, answer.element), owner) or homes[:1]
+    if exact:
+        return exact
+    inner = [path for path in paths if _is_in(path, homes) and _is_of(path, owner)]
+    named: Found = [(path, name) for path in inner for name in names if name in path[-1].attributes]
+    for word in (*names, answer.attribute, answer.element.name):
+        named = named or [(path, None) for path in inner if path[-1].name == word]
+    return named or _own(_made_of(paths, answer.element), owner) or homes[:1]
 
 
-def _pose_of(answer: Answer, homes: Found) -> Found:
-    """Return the poses of what an origin is in: an element `pose`, or attributes of a body."""
-    if answer.element.name != "origin":
-        return []
+def _poses(homes: Found, names: list[str]) -> Found:
+    """Return the poses of what an origin is in: elements, or attributes of a body."""
     found: Found = []
     for path, _ in homes:
-        found += [([*path, child], None) for child in path[-1].elements() if child.name == "pose"]
         # The origin of a joint is the pose of the body that the joint moves.
         around = path[:-1] if path[-1].name == "joint" and path[-2].name == "body" else path
-        for name in POSES.get(answer.attribute or "", ()):
+        for name in dict.fromkeys(names):
+            found += [([*path, each], None) for each in path[-1].elements() if each.name == name]
             if name in around[-1].attributes:
                 found.append((around, name))
     return found
-
-
-def _homes(answer: Answer, paths: list[Path], owner: str) -> Found:
-    """Return what is made of the innermost element around the one asked for, or of itself."""
-    around = answer.path[1:-1] or answer.path[-1:]
-    for element in reversed(around):
-        found = _own(_made_of(paths, element), owner)
-        if found:
-            return found
-    return []
 
 
 def _is_in(path: Path, homes: Found) -> bool:
@@ -552,15 +500,6 @@ def _made_of(paths: list[Path], element: Element) -> Found:
         if path[-1].span.key() == key
         and ("name" in path[-1].attributes or len(path) < 2 or path[-2].span.key() != key)
     ]
-
-
-def _paths(root: Element) -> Iterator[Path]:
-    """Yield the path from the root to each element, in order."""
-    pending: list[Path] = [[root]]
-    while pending:
-        path = pending.pop()
-        yield path
-        pending += [[*path, child] for child in reversed(path[-1].elements())]
 
 
 def _at(path: Path, key: object) -> Found:

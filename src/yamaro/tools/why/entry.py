@@ -41,39 +41,26 @@ COMMAND = Command(
 
 def run(arguments: Arguments, streams: Streams) -> int:
     """Write the answer to standard output; return the exit status."""
-    address = arguments.words[1]
-    return convert_file(
-        arguments,
-        streams,
-        lambda build: [_answer(build, address, arguments, streams)],
-        has_root=True,
-        records=True,
-    )
 
+    def answered(build: Build) -> list[str]:
+        from .answers import UnknownAddress, answer, answer_data, answer_text, in_formats
 
-def _format_in(arguments: Arguments) -> str:
-    """Return the format whose document the address is looked up in."""
-    formats = arguments.lists.get("to", ["urdf"])
-    if len(formats) > 1 or "," in formats[0]:
-        raise WrongUsage("'yamaro why' looks an address up in one output format")
-    return formats[0].strip().lower()
+        formats = arguments.lists.get("to", ["urdf"])
+        if len(formats) > 1 or "," in formats[0]:
+            raise WrongUsage("'yamaro why' looks an address up in one output format")
+        home = formats[0].strip().lower()
+        if home not in build.outputs:
+            raise WrongUsage(f"there is no {home} of this robot: {build.refused.get(home, '')}")
+        try:
+            found = answer(build.outputs[home].root, arguments.words[1], format=home)
+            found.formats = in_formats(found, home, build)
+        except UnknownAddress as error:
+            raise WrongUsage(str(error)) from None
+        if arguments.has("json"):
+            import json
 
+            return [json.dumps(answer_data(found), indent=2) + "\n"]
+        is_terminal = streams.is_terminal(result=True)
+        return [answer_text(found, color=has_color(arguments, is_terminal=is_terminal))]
 
-def _answer(build: Build, address: str, arguments: Arguments, streams: Streams) -> str:
-    from .answers import UnknownAddress, answer, answer_data, answer_text, in_formats
-
-    home = _format_in(arguments)
-    if home not in build.outputs:
-        raise WrongUsage(f"there is no {home} of this robot: {build.refused.get(home, '')}")
-    try:
-        found = answer(build.outputs[home].root, address, format=home)
-        found.formats = in_formats(found, home, build)
-    except UnknownAddress as error:
-        raise WrongUsage(str(error)) from None
-    if arguments.has("json"):
-        import json
-
-        return json.dumps(answer_data(found), indent=2) + "\n"
-    return answer_text(
-        found, color=has_color(arguments, is_terminal=streams.is_terminal(result=True))
-    )
+    return convert_file(arguments, streams, answered, has_root=True, records=True)
