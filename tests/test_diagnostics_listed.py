@@ -1,25 +1,24 @@
-"""The source, docs/diagnostics.md and the golden cases know the same diagnostic codes."""
+"""The source, the files rules.md and the golden cases know the same diagnostic codes."""
 
 from __future__ import annotations
 
 import ast
 import re
+import subprocess
+import sys
 from functools import cache
 from pathlib import Path
 from urllib.parse import urlsplit
 from urllib.request import url2pathname
 
-import pytest
-
 from tests.golden import CASES
-from yamaro.codes import ADJUSTABLE, help_text, help_uri
+from tests.test_links import anchors
+from yamaro.codes import ADJUSTABLE, LOSSES, help_text, help_uri, rules
+from yamaro.severities import SEVERITIES
 
 REPOSITORY = Path(__file__).parents[1]
-LISTING = REPOSITORY / "docs" / "diagnostics.md"
 
 CODE = r"[a-z0-9]+(?:[-.][a-z0-9]+)*"
-# A code has a heading of its own, or the first cell of a row in a table.
-LISTED = re.compile(rf"^(?:#{{2,4}} |\| *)`({CODE})`", re.MULTILINE)
 GIVEN = re.compile(rf"^(?:error|warning)\[({CODE})\]", re.MULTILINE)
 
 # Codes that depend on the machine, or on another command, so that no golden case can hold them.
@@ -57,10 +56,6 @@ TESTED_ELSEWHERE = {
 RAISERS = {"Diagnostic", "Fault", "InputFault", "_bad_call", "_fault", "error", "failure", "warn"}
 
 
-def codes_listed() -> list[str]:
-    return LISTED.findall(LISTING.read_text(encoding="utf-8"))
-
-
 def codes_of_cases() -> set[str]:
     files = CASES.glob("*/*.err")
     return {code for file in files for code in GIVEN.findall(file.read_bytes().decode())}
@@ -85,12 +80,8 @@ def codes_in_source(raisers: set[str] = RAISERS) -> set[str]:
     return {code for name, code in calls_with_codes() if name in raisers}
 
 
-listing = pytest.mark.skipif(not LISTING.exists(), reason="docs/diagnostics.md is not written yet")
-
-
-@listing
 def test_every_listed_code_has_a_golden_case() -> None:
-    assert sorted(set(codes_listed()) - codes_of_cases() - set(TESTED_ELSEWHERE)) == []
+    assert sorted(set(rules()) - codes_of_cases() - set(TESTED_ELSEWHERE)) == []
 
 
 def test_codes_without_a_case_are_tested_where_it_says() -> None:
@@ -98,19 +89,12 @@ def test_codes_without_a_case_are_tested_where_it_says() -> None:
         assert f'"{code}"' in (REPOSITORY / "tests" / name).read_text(encoding="utf-8")
 
 
-@listing
 def test_every_code_of_a_golden_case_is_listed() -> None:
-    assert sorted(codes_of_cases() - set(codes_listed())) == []
+    assert sorted(codes_of_cases() - set(rules())) == []
 
 
-@listing
 def test_every_code_in_the_source_is_listed() -> None:
-    assert sorted(codes_in_source() - set(codes_listed())) == []
-
-
-@listing
-def test_no_code_is_listed_twice() -> None:
-    assert sorted(codes_listed()) == sorted(set(codes_listed()))
+    assert sorted(codes_in_source() - set(rules())) == []
 
 
 def test_codes_are_found_in_the_source() -> None:
@@ -118,32 +102,72 @@ def test_codes_are_found_in_the_source() -> None:
     assert {"control-character", "undeclared-prefix"} <= codes_in_source()
 
 
+# --- what is made of rules.md -----------------------------------------------------------------
+
+HEADING = re.compile(r"^### (.*)$", re.MULTILINE)
+
+
+def test_each_section_is_a_code_and_no_code_has_two() -> None:
+    pages = (REPOSITORY / "src" / "yamaro").rglob("rules.md")
+    headings = [found for page in pages for found in HEADING.findall(page.read_text("utf-8"))]
+    assert len(headings) > 250
+    assert sorted(headings) == sorted(f"`{code}`" for code in rules())
+
+
+def test_pages_and_tables_are_those_of_the_rules() -> None:
+    made = subprocess.run(
+        [sys.executable, REPOSITORY / "scripts" / "rules.py", "--check"],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert made.stdout + made.stderr == "", "run `python scripts/rules.py`"
+    assert made.returncode == 0
+
+
+def test_all_chapters_about_robots_are_in_the_page_of_checks() -> None:
+    page = (REPOSITORY / "docs" / "checks.md").read_text(encoding="utf-8")
+    chapters = {rule.chapter for rule in rules().values() if rule.page.parent.name == "check"}
+    assert set(re.findall(r"^<!-- rules: (.*) -->$", page, re.MULTILINE)) == chapters
+
+
 def test_the_address_of_each_code_leads_to_its_heading() -> None:
-    codes = codes_listed()
-    assert len(codes) > 250
-    for code in codes:
-        address, _, heading = str(help_uri(code)).partition("#")
-        assert heading == code
-        page = Path(url2pathname(urlsplit(address).path))
-        assert f"\n### `{heading}`\n" in page.read_text(encoding="utf-8")
+    headings = {page: anchors(page) for page in {rule.page for rule in rules().values()}}
+    online = anchors(REPOSITORY / "docs" / "diagnostics.md")
+    for code in rules():
+        address, _, anchor = str(help_uri(code)).partition("#")
+        assert anchor in headings[Path(url2pathname(urlsplit(address).path))]
+        assert anchor in online
         assert help_text(code)
+    assert help_uri("capsule-needs-urdf-1.1") == (
+        (REPOSITORY / "src" / "yamaro" / "check" / "rules.md").as_uri() + "#capsule-needs-urdf-11"
+    )
     assert help_uri("no-such-code") is None
     assert help_text("no-such-code") is None
 
 
 def test_what_a_report_says_of_a_code_has_no_links_that_lead_nowhere() -> None:
-    texts = [help_text(code) or "" for code in codes_listed()]
+    texts = [help_text(code) or "" for code in rules()]
     assert [text for text in texts if re.search(r"\]\((?!https?:)", text)] == []
+
+
+def test_the_summary_of_a_check_is_one_sentence() -> None:
+    for rule in rules().values():
+        if rule.page.parent.name == "check":
+            assert re.fullmatch(r"[A-Z`0].{9,170}\.", rule.summary), rule.code
 
 
 # --- codes that can be allowed and denied -----------------------------------------------------
 
 WARNED = re.compile(rf"^warning\[({CODE})\]", re.MULTILINE)
-SEVERITY = re.compile(rf"^### `({CODE})`\n\n\*Severity: ", re.MULTILINE)
 
 
-def test_the_page_shows_which_codes_can_be_allowed_and_denied() -> None:
-    assert sorted(SEVERITY.findall(LISTING.read_text(encoding="utf-8"))) == sorted(ADJUSTABLE)
+def test_codes_with_a_severity_can_be_allowed_and_denied() -> None:
+    assert {code for code, rule in rules().items() if rule.severity} == ADJUSTABLE
+    assert set(SEVERITIES.values()) == {"error", "warning", "advice"}
+    assert (
+        sorted({code.partition("-in-")[2] for code in LOSSES}) == "mjcf sdf srdf urdf usd".split()
+    )
 
 
 def test_what_is_a_warning_somewhere_can_be_denied() -> None:

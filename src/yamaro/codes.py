@@ -1,60 +1,26 @@
-"""The codes of diagnostics: whose severity can be chosen, and how they are described."""
+"""The codes of diagnostics: which severity can be chosen, and what their pages say."""
 
 from __future__ import annotations
 
 from functools import cache
 
 from .diagnostics import suggest
+from .severities import SEVERITIES
 from .terminal import shortened
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Collection
+    from pathlib import Path
 
 HOME = "https://pypi.org/project/yamaro/"
 """Where Yamaro is at home, with links to its documentation."""
+ADJUSTABLE = frozenset(SEVERITIES)
+"""What a document can be written with: the warnings, the advice, the errors of finished robots."""
 LOSSES = frozenset(
-    """
-    lost-in-urdf approximated-in-urdf lost-in-srdf
-    lost-in-sdf approximated-in-sdf renamed-in-sdf
-    lost-in-mjcf approximated-in-mjcf renamed-in-mjcf
-    lost-in-usd approximated-in-usd renamed-in-usd
-    """.split()
+    code for code in ADJUSTABLE if code.startswith(("lost-in-", "approximated-in-", "renamed-in-"))
 )
 """What an output format cannot hold."""
-ADJUSTABLE = (
-    frozenset(
-        """
-    ambiguous-parent anchored-expression angle-too-large assumed-limit axis-not-unit bad-color
-    bad-inertia bad-mass bad-mesh bad-name bad-size bad-version base-assumed
-    capsule-needs-urdf-1.1
-    comment-entry dollar-in-string doubled-ending duplicate-joint duplicate-link
-    duplicate-material far-center
-    fixed-mimic function-replaced gimbal-rpy hidden-package hidden-value ignored-limit joint-cycle
-    large-mesh leftover-expression limit-order long-chain massless-moving mimic-cycle
-    mirror-axis mirror-raw misplaced-key misplaced-part missing-attribute
-    missing-axis missing-element
-    missing-extra missing-limit missing-mesh-file misspelt-statement needs-version open-loop
-    negative-value no-link no-range not-a-number not-urdf odd-density odd-inertia odd-mass
-    prefix-not-passed quaternion-not-unit repeated-element root-inertia several-roots
-    several-shapes several-surfaces slash-in-name soft-limit-outside state-outside-limit two-parents
-    two-rotations unknown-attribute unknown-child unknown-element unknown-joint
-    unknown-joint-type unknown-key unknown-material unknown-mimic unknown-package unknown-parent
-    unknown-reference unknown-variable unused-allow unused-geometry wrong-count xacro-deprecated
-    xacro-ignored xacro-lost xacro-message xacro-name xacro-no-files xacro-prefix
-    xacro-redefined xacro-scope xacro-syntax xacro-unknown-attribute zero-axis zero-limit
-    zero-outside-limits
-    """.split()
-    )
-    | frozenset(
-        """
-    bad-mesh-address bad-value fixed-joint mimic-command mimic-type out-of-range remote-mesh
-    repeated-name reversed-chain unknown-type
-    """.split()
-    )
-    | LOSSES
-)
-"""What a document can be written with: the warnings, the advice, the errors of finished robots."""
 
 
 def fault_of_codes(allowed: Collection[str], denied: Collection[str]) -> str | None:
@@ -71,37 +37,88 @@ def fault_of_codes(allowed: Collection[str], denied: Collection[str]) -> str | N
     return None
 
 
-@cache
-def _page() -> tuple[str, dict[str, str]]:
-    """Return the address of the page that describes the codes, and its section of each.
+class Rule:
+    """A code as the folder that reports it describes it, in a section of its `rules.md`.
 
-    The page is in the wheel; in a working copy, it is the one in `docs/`. It lies on this machine,
-    so that it describes this version, and opens without a network.
+    Attributes:
+        code: the code, which is the heading of the section.
+        chapter: the heading above it.
+        severity: how severe it is, such as "warning; for a mesh advice"; "" if always an error.
+        text: what it means and how to fix it, as Markdown.
+        page: the file.
+    """
+
+    __slots__ = ("chapter", "code", "page", "severity", "text")
+
+    def __init__(self, code: str, *, chapter: str, severity: str, text: str, page: Path) -> None:
+        self.code = code
+        self.chapter = chapter
+        self.severity = severity
+        self.text = text
+        self.page = page
+
+    @property
+    def anchor(self) -> str:
+        """The anchor of its heading."""
+        return anchor_of(self.code)
+
+    @property
+    def summary(self) -> str:
+        """Its meaning in a sentence, without links."""
+        prose = without_links(" ".join(self.text.partition("\n\n")[0].split()))
+        return prose.partition(". ")[0].rstrip(".:") + "."
+
+
+@cache
+def rules() -> dict[str, Rule]:
+    """Return all codes with their sections, in the order of the files.
+
+    The files are in the package, so they describe this version, and open without a network.
     """
     import re
     from pathlib import Path
 
-    package = Path(__file__).parent
-    for path in (package / "diagnostics.md", package.parents[1] / "docs" / "diagnostics.md"):
-        try:
-            text = path.read_text(encoding="utf-8")
-        except OSError:
-            continue
-        parts = re.split(r"^### `([a-z0-9.-]+)`\n|^## .*\n", text, flags=re.MULTILINE)
-        sections = {code: part for code, part in zip(parts[1::2], parts[2::2], strict=True) if code}
-        return path.as_uri(), sections
-    return "", {}
+    found: dict[str, Rule] = {}
+    for page in sorted(Path(__file__).parent.glob("**/rules.md")):
+        text = page.read_text(encoding="utf-8")
+        for title, chapter in re.findall(r"^## (.*)\n((?:(?!## ).*\n?)*)", text, re.MULTILINE):
+            _, *sections = re.split(r"^### `(.*)`\n", chapter, flags=re.MULTILINE)
+            for code, section in zip(sections[::2], sections[1::2], strict=True):
+                severity = re.match(r"\n\*Severity: (.*)\.\*\n", section)
+                rest = section[severity.end() :] if severity else section
+                found[code] = Rule(
+                    code,
+                    chapter=title,
+                    severity=severity[1] if severity else "",
+                    text=rest.strip() + "\n",
+                    page=page,
+                )
+    return found
 
 
 def help_uri(code: str) -> str | None:
     """Return the address of the heading on this machine that describes a code, None without one."""
-    address, sections = _page()
-    return f"{address}#{code}" if code in sections else None
+    rule = rules().get(code)
+    return f"{rule.page.as_uri()}#{rule.anchor}" if rule else None
 
 
 def help_text(code: str) -> str | None:
-    """Return what the page says of a code, as Markdown without links; None if it says nothing."""
+    """Return what is known of a code, as Markdown without links; None if that is nothing."""
+    rule = rules().get(code)
+    if rule is None:
+        return None
+    severity = f"*Severity: {rule.severity}.*\n\n" if rule.severity else ""
+    return severity + without_links(rule.text).strip()
+
+
+def anchor_of(heading: str) -> str:
+    """Return the anchor that GitHub, and the site, make of a heading."""
+    kept = (char for char in heading.lower() if char.isalnum() or char in " -_")
+    return "".join(kept).replace(" ", "-")
+
+
+def without_links(text: str) -> str:
+    """Return Markdown for a place from which its links lead nowhere: with their texts alone."""
     import re
 
-    # Links lead from the page to its neighbours, and nowhere from where the text is shown alone.
-    return re.sub(r"\[([^\]\n]+)\]\([^)\s]+\)", r"\1", _page()[1].get(code, "")).strip() or None
+    return re.sub(r"\[([^\]\n]+)\]\([^)\s]+\)", r"\1", text)

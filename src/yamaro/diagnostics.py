@@ -98,7 +98,7 @@ class Diagnostic(Public):
         """Describe a fault.
 
         Args:
-            code: stable, kebab-case, listed in docs/diagnostics.md.
+            code: stable, kebab-case, described in a `rules.md`; see `codes.py`.
             message: one line in lower case that names the thing in quotes.
             span: the place to underline.
             hint: what to write instead.

@@ -371,6 +371,9 @@ def test_sarif_has_the_fix_and_the_way(capsys: pytest.CaptureFixture[str]) -> No
     (rule,) = run["tool"]["driver"]["rules"]
     assert rule["id"] == "undefined-name"
     assert "import or function of Python of this name" in rule["help"]["markdown"]
+    assert rule["fullDescription"]["text"] == (
+        "No variable, import or function of Python of this name is visible here."
+    )
     assert "helpUri" not in rule  # nothing that is not on this machine describes it
     assert run["columnKind"] == "unicodeCodePoints"
 

@@ -15,6 +15,7 @@ import stage  # noqa: E402
 
 from tests.site.conftest import Site  # noqa: E402
 from tests.test_links import anchors  # noqa: E402
+from yamaro.codes import anchor_of, rules  # noqa: E402
 
 
 @pytest.fixture(scope="module")
@@ -51,6 +52,17 @@ def test_chapters_hold_all_that_the_document_has(pages: Path, name: str) -> None
     found = [line for part in parts for line in plain(part.read_text(encoding="utf-8"))]
     assert set(whole) - set(found) == set()
     assert len(parts) > 10
+
+
+def page_of(chapter: str) -> str:
+    return f"diagnostics-{anchor_of(chapter)}"
+
+
+def test_each_code_has_its_heading_in_the_page_of_its_chapter(pages: Path) -> None:
+    chapters = {rule.chapter for rule in rules().values()}
+    headings = {each: anchors(pages / f"{page_of(each)}.md") for each in chapters}
+    for rule in rules().values():
+        assert rule.anchor in headings[rule.chapter]
 
 
 def test_links_to_a_chapter_name_its_page(tmp_path: Path) -> None:
@@ -119,6 +131,9 @@ def test_a_link_that_leads_nowhere_is_found(tmp_path: Path) -> None:
 def test_the_site_is_built_strictly(built: str) -> None:
     assert "all links lead somewhere" in built
     assert (ROOT / "build" / "site" / "playground" / "pyodide" / "pyodide.asm.wasm").exists()
+    for rule in rules().values():
+        page = (ROOT / "build" / "site" / f"{page_of(rule.chapter)}.html").read_text("utf-8")
+        assert f' id="{rule.anchor}"' in page
 
 
 @pytest.mark.slow

@@ -14,7 +14,7 @@ import re
 from urllib.parse import quote
 
 from ..allowances import allowing
-from ..codes import HOME, help_text
+from ..codes import HOME, help_text, rules
 from ..diagnostics import ACCEPTED, WARNING
 from ..rendering import render_all
 from ..terminal import printable
@@ -376,6 +376,7 @@ def sarif_report(files: Sequence[Checked], version: str) -> str:
 def _rule(code: str) -> dict[str, Any]:
     words = code.replace("-", " ")
     name = "".join(word.capitalize() for word in re.split(r"[-.]", code))
+    short = f"{words[:1].upper()}{words[1:]}."
     help = {"text": f"docs/diagnostics.md of Yamaro describes '{code}', and how to fix it."}
     described = help_text(code)
     if described is not None:
@@ -384,8 +385,8 @@ def _rule(code: str) -> dict[str, Any]:
     return {
         "id": code,
         "name": name,
-        "shortDescription": {"text": f"{words[:1].upper()}{words[1:]}."},
-        "fullDescription": {"text": f"The diagnostic '{code}' of Yamaro."},
+        "shortDescription": {"text": short},
+        "fullDescription": {"text": rules()[code].summary if described else short},
         "help": help,
     }
 

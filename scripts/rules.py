@@ -1,0 +1,109 @@
+"""Writes what follows from the words of the messages, the files `rules.md` in `src/yamaro`.
+
+python scripts/rules.py            writes docs/diagnostics.md from its first mark on, the
+                                   tables of docs/checks.md, and src/yamaro/severities.py
+python scripts/rules.py --check    only reports which of them are out of date
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+SOURCE = ROOT / "src" / "yamaro"
+DOCS = ROOT / "docs"
+sys.path.insert(0, str(ROOT / "src"))
+
+from yamaro.codes import Rule, anchor_of, rules  # noqa: E402
+
+ROOMS = "yaml syntax files xacro safe robot check targets picture".split()
+"""Folders of src/yamaro in the order of docs/diagnostics.md; after them come the tools."""
+MARK = "<!-- scripts/rules.py writes the rest, from the files rules.md in src/yamaro -->\n"
+TABLE = re.compile(r"(<!-- rules: ([^\n]*) -->\n\n).*?(\n<!-- end of rules -->)", re.DOTALL)
+FENCED = re.compile(r"^(```.*?^```$)", re.MULTILINE | re.DOTALL)
+LINK = re.compile(r"\]\(([^)\s]+)\)")
+SEVERITIES = '''\
+"""The severity of each code that a document can be written with; scripts/rules.py writes this.
+
+The file `rules.md` of the folder that reports a code says its severity, and what it means.
+"""
+
+SEVERITIES = {
+%s}
+'''
+
+
+def main(arguments: list[str]) -> int:
+    """Write the files, or report those that differ; return the exit status."""
+    stale = [path for path, text in written().items() if path.read_text(encoding="utf-8") != text]
+    for path in stale:
+        print(path.relative_to(ROOT))
+        if arguments != ["--check"]:
+            path.write_text(written()[path], encoding="utf-8")
+    return 1 if stale and arguments == ["--check"] else 0
+
+
+def written() -> dict[Path, str]:
+    """Return the files with the texts that they have to have."""
+    diagnostics, checks = DOCS / "diagnostics.md", DOCS / "checks.md"
+    severities = {code: rule.severity for code, rule in rules().items() if rule.severity}
+    rows = (f'    "{code}": "{re.split("[ ;]", severities[code])[0]}",\n' for code in severities)
+    return {
+        diagnostics: diagnostics.read_text(encoding="utf-8").partition(MARK)[0] + MARK + pages(),
+        checks: TABLE.sub(
+            lambda found: found[1] + table(found[2]) + found[3], checks.read_text(encoding="utf-8")
+        ),
+        SOURCE / "severities.py": SEVERITIES % "".join(sorted(rows)),
+    }
+
+
+def pages() -> str:
+    """Return the contents and the chapters of docs/diagnostics.md."""
+    tools = sorted(path.relative_to(SOURCE).parent for path in SOURCE.glob("tools/*/rules.md"))
+    files = [SOURCE / room / "rules.md" for room in (*ROOMS, *tools)]
+    left_out = {rule.page for rule in rules().values()} - set(files)
+    if left_out:
+        sys.exit(f"ROOMS in scripts/rules.py has to name the folder of {left_out}")
+    text = "\n".join("".join(moved(path)) for path in files)
+    titles = re.findall(r"^## (.*)$", FENCED.sub("", text), re.MULTILINE)
+    entries = (f"- [{title}](#{anchor_of(title)})\n" for title in titles)
+    return "\n" + "".join(entries) + "\n" + text
+
+
+def moved(page: Path) -> Iterator[str]:
+    """Give the text of a page with the links that it has in docs/diagnostics.md."""
+
+    def link(found: re.Match[str]) -> str:
+        path, hash, anchor = found[1].partition("#")
+        target = (page.parent / path).resolve() if path else page
+        if "://" in path:
+            return found[0]
+        if target.name == page.name:
+            return f"]({hash}{anchor})"
+        return f"]({os.path.relpath(target, DOCS)}{hash}{anchor})"
+
+    for part in FENCED.split(page.read_text(encoding="utf-8")):
+        yield part if part.startswith("```") else LINK.sub(link, part)
+
+
+def table(chapter: str) -> str:
+    """Return the table of a chapter: its codes, how severe they are, and what they mean."""
+    rows = [row(rule) for rule in rules().values() if rule.chapter == chapter]
+    if not rows:
+        sys.exit(f"docs/checks.md has a table of '{chapter}', which is a chapter of no rules.md")
+    return "\n".join(["| code | severity | fault |", "|---|---|---|", *rows]) + "\n"
+
+
+def row(rule: Rule) -> str:
+    """Return the row of a code."""
+    link = f"[`{rule.code}`](diagnostics.md#{rule.anchor})"
+    severity = rule.severity.replace(" that can be allowed", "") or "error"
+    return f"| {link} | {severity} | {rule.summary} |"
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
