@@ -124,7 +124,7 @@ def test_the_include_that_brought_a_function_is_part_of_its_way() -> None:
 def test_the_same_warning_at_the_same_place_counts_once() -> None:
     reporter = Reporter()
     for piece in ("a", "a", "b"):
-        reporter.warn("code", "say", span_of("a: b", piece))
+        reporter.report("zero-axis", "say", span_of("a: b", piece))
     assert [warning.span.start for warning in reporter.diagnostics] == [0, 3]
 
 

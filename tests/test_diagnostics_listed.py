@@ -14,7 +14,9 @@ from urllib.request import url2pathname
 from tests.golden import CASES
 from tests.test_links import anchors
 from yamaro.codes import ADJUSTABLE, LOSSES, help_text, help_uri, rules
+from yamaro.diagnostics import Reporter
 from yamaro.severities import SEVERITIES
+from yamaro.source import Source, Span
 
 REPOSITORY = Path(__file__).parents[1]
 
@@ -53,7 +55,7 @@ TESTED_ELSEWHERE = {
 }
 
 # Callables one of whose first two arguments is a code.
-RAISERS = {"Diagnostic", "Fault", "InputFault", "_bad_call", "_fault", "error", "failure", "warn"}
+RAISERS = {"Diagnostic", "Fault", "InputFault", "_bad_call", "_fault", "failure", "report"}
 
 
 def codes_of_cases() -> set[str]:
@@ -174,8 +176,15 @@ def test_what_is_a_warning_somewhere_can_be_denied() -> None:
     files = CASES.glob("*/*.err")
     warned = {code for file in files for code in WARNED.findall(file.read_bytes().decode())}
     migration = {"not-migrated"}  # a warning of `migrate`, which builds nothing
-    assert sorted((warned | codes_in_source({"warn"})) - ADJUSTABLE - migration) == []
+    assert sorted((warned | codes_in_source({"report"})) - ADJUSTABLE - migration) == []
 
 
-def test_what_the_check_refuses_can_be_allowed() -> None:
-    assert sorted(codes_in_source({"error"}) - ADJUSTABLE) == []
+def test_what_is_reported_has_the_severity_of_its_code() -> None:
+    reporter = Reporter()
+    for code in ("zero-axis", "two-parents", "odd-mass"):
+        reporter.report(code, "wrong", Span(Source("a: b", name="r.yaml"), 0, 1))
+    reporter.report(
+        "two-parents", "other", Span(Source("a: b", name="r.yaml"), 0, 1), severity="warning"
+    )
+    found = [each.severity for each in reporter.diagnostics]
+    assert found == ["warning", "error", "warning", "warning"]

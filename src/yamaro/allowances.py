@@ -146,7 +146,7 @@ def _report_unknown(allowance: Allowance, code: str, span: Span, reporter: Repor
     message = f"'{code}' is not a code that can be accepted"
     near = suggest(code, ADJUSTABLE)
     if near is not None:
-        reporter.warn(UNUSED, message, span, hint=Meant.of(code, near))
+        reporter.report(UNUSED, message, span, hint=Meant.of(code, near))
         return
     hint = "--allow takes the same codes; a reason can follow them in parentheses"
     _report(allowance, message, reporter, span=span, hint=hint)
@@ -155,7 +155,7 @@ def _report_unknown(allowance: Allowance, code: str, span: Span, reporter: Repor
 def _report_word(allowance: Allowance, reporter: Reporter) -> None:
     word = allowance.word.written()
     message = f"'{word}' is not a word that accepts findings"
-    reporter.warn(UNUSED, message, allowance.word, hint=Meant.of(word, "allow"))
+    reporter.report(UNUSED, message, allowance.word, hint=Meant.of(word, "allow"))
 
 
 def _report(
@@ -167,7 +167,7 @@ def _report(
     hint: str | None = None,
 ) -> None:
     fix = _removal(allowance, span)
-    reporter.warn(UNUSED, message, span or allowance.span, hint=hint or fix.title, fix=fix)
+    reporter.report(UNUSED, message, span or allowance.span, hint=hint or fix.title, fix=fix)
 
 
 def _removal(allowance: Allowance, code: Span | None) -> Fix:

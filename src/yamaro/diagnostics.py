@@ -258,7 +258,7 @@ class Adjustment:
 
 
 class Reporter:
-    """Collects the warnings of one run; the same warning at the same place counts once."""
+    """Collects the findings of one run; the same one at the same place counts once."""
 
     __slots__ = ("_seen", "diagnostics")
 
@@ -267,7 +267,7 @@ class Reporter:
         self.diagnostics: list[Diagnostic] = []
         self._seen: set[object] = set()
 
-    def warn(
+    def report(
         self,
         code: str,
         message: str,
@@ -277,11 +277,24 @@ class Reporter:
         notes: Sequence[str] = (),
         trace: Frame | None = None,
         fix: Fix | None = None,
+        severity: str | None = None,
     ) -> None:
-        """Collect a warning; see `Diagnostic`."""
-        warning = Diagnostic(code, message, span, hint=hint, notes=notes, trace=trace, fix=fix)
-        warning.severity = WARNING
-        self.add(warning)
+        """Collect a diagnostic, by default with the severity of its code; see `Diagnostic`."""
+        from .severities import SEVERITIES
+
+        severity = severity or SEVERITIES[code]
+        self.add(
+            Diagnostic(
+                code,
+                message,
+                span,
+                hint=hint,
+                notes=notes,
+                severity=ERROR if severity == ERROR else WARNING,
+                trace=trace,
+                fix=fix,
+            )
+        )
 
     def add(self, diagnostic: Diagnostic) -> None:
         """Collect `diagnostic` unless the same was collected before."""

@@ -236,7 +236,7 @@ def test_there_are_at_least_as_many_bad_robots_as_promised() -> None:
 
 def test_every_code_is_explained() -> None:
     page = (Path(__file__).parents[2] / "docs" / "checks.md").read_text(encoding="utf-8")
-    explained = set(re.findall(r"^### `([a-z0-9.-]+)`", page, re.MULTILINE))
+    explained = set(re.findall(r"\[`([a-z0-9.-]+)`\]\(diagnostics\.md#", page))
     everything = FAULTY + ADVISED + bad_robots("advice") + bad_robots("srdf")
     used = {code for robot in everything for code in robot.codes}
     used |= {"missing-mesh-file", "unknown-package", "large-mesh", "long-chain", "not-urdf"}
@@ -441,7 +441,7 @@ def test_values_may_be_python_objects() -> None:
 def test_a_capsule_that_a_part_has_warned_of_is_not_told_again() -> None:
     root = read(case("capsule in URDF 1.0"))
     reporter = Reporter()
-    reporter.warn("capsule-needs-urdf-1.1", "told", root.span)
+    reporter.report("capsule-needs-urdf-1.1", "told", root.span)
     check(root, reporter=reporter)
     assert [d.message for d in reporter.diagnostics] == ["told"]
 

@@ -59,7 +59,13 @@ def check_advice(
     resolve_mesh: Callable[[str, Span], str | None] | None,
 ) -> None:
     """Report to `advice` what is legal but seldom meant."""
-    told = CheckContext(robot.element, advice, version=context.version, numbers=context.numbers)
+    told = CheckContext(
+        robot.element,
+        advice,
+        version=context.version,
+        numbers=context.numbers,
+        is_advice=True,
+    )
     links, joints = tree.links, tree.joints
     children = {joint.child for joint in joints.values()}
     sizes: dict[Mesh, float | None] = {}
@@ -134,7 +140,7 @@ def _advise_on_names(named: list[Link | Joint], context: CheckContext) -> None:
     for group in context.apart("slash-in-name", found, lambda each: (each.element, "name")):
         name, element = group[0].name, group[0].element
         more = len(group) - 1
-        context.warn(
+        context.report(
             "slash-in-name",
             f"the {element.name} name '{name}' has a '/' in it",
             element,
@@ -152,7 +158,7 @@ def _advise_on_endings(named: list[Link | Joint], context: CheckContext) -> None
         name, element = group[0].name, group[0].element
         whole = name.rpartition("_")[0]
         more = len(group) - 1
-        context.warn(
+        context.report(
             "doubled-ending",
             f"the name of {element.name} '{name}' ends in '_{element.name}' twice",
             element,
@@ -175,7 +181,7 @@ def _has_fixed_base(robot: Robot, tree: Tree) -> bool:
 def _advise_on_root(link: Link, context: CheckContext) -> None:
     if link.inertial is None:
         return
-    context.warn(
+    context.report(
         "root-inertia",
         f"the root, {label(link.element)}, has an inertia, which KDL does not support",
         link.inertial.element,
@@ -191,7 +197,7 @@ def _advise_on_mass(link: Link, context: CheckContext) -> None:
     if inertial is None or element is None or mass <= 0:
         return
     if mass > HEAVIEST:
-        context.warn(
+        context.report(
             "odd-mass",
             f"{label(link.element)} weighs {shown(mass)} kg",
             element,
@@ -202,7 +208,7 @@ def _advise_on_mass(link: Link, context: CheckContext) -> None:
     volume = _volume(link)
     density = mass / volume if volume else None
     if density is not None and not LIGHTEST <= density <= DENSEST:
-        context.warn(
+        context.report(
             "odd-density",
             f"{label(link.element)} has the density {shown(density)} kg/m³: {shown(mass)} kg in "
             f"{shown(volume)} m³",
@@ -220,7 +226,7 @@ def _advise_on_inertia(inertial: Inertial, link: Link, context: CheckContext) ->
     ixx, _, _, iyy, _, izz = inertial.inertia
     gyration = sqrt(fabs(max(ixx, iyy, izz)) / inertial.mass)
     if gyration > WIDEST_GYRATION:
-        context.warn(
+        context.report(
             "odd-inertia",
             f"the inertia of {label(link.element)} is that of {shown(inertial.mass)} kg at a "
             f"distance of {shown(gyration)} m from its centre",
@@ -251,7 +257,7 @@ def _advise_on_limit(joint: Joint, context: CheckContext) -> None:
     for attribute in ("lower", "upper"):
         bound = limit.number(attribute)
         if joint.type == REVOLUTE and bound is not None and MOST_TURNS < fabs(bound) <= 720:
-            context.warn(
+            context.report(
                 "angle-too-large",
                 f"'{attribute}' of joint '{joint.name}' is {shown(bound)} radians, "
                 f"{shown(fabs(bound) / (2 * pi))} turns",
@@ -263,7 +269,7 @@ def _advise_on_limit(joint: Joint, context: CheckContext) -> None:
         return
     for attribute in OF_1_2:
         if limit.written(attribute) is not None:
-            context.warn(
+            context.report(
                 "needs-version",
                 f"'{attribute}' of joint '{joint.name}' is ignored before URDF 1.2",
                 limit.element,
@@ -285,7 +291,7 @@ def _advise_on_zero_limits(joints: Iterable[Joint], context: CheckContext) -> No
         joint, limit, attributes = group[0]
         what = "limit" if len(attributes) == 1 else "limits"
         context.outermost = joint.element
-        context.warn(
+        context.report(
             "zero-limit",
             f"the {' and '.join(attributes)} {what} of joint '{joint.name}' "
             f"{'is' if len(attributes) == 1 else 'are'} 0, so it cannot be moved",
@@ -305,7 +311,7 @@ def _advise_on_axes(joints: Iterable[Joint], context: CheckContext) -> None:
     for group in context.apart("missing-axis", found, lambda each: (each.element, None)):
         joint = group[0]
         context.outermost = joint.element
-        context.warn(
+        context.report(
             "missing-axis",
             f"the {joint.type} joint '{joint.name}' has no axis, which means x: 1 0 0",
             joint.element,
@@ -326,7 +332,7 @@ def _advise_on_pose(pose: Pose, owner: Element, context: CheckContext) -> None:
     if all(_is_quarter(angle) for angle in rpy):
         return  # as CAD and careful people write a turned part
     if fabs(fabs(pitch) - pi / 2) < GIMBAL_TOLERANCE and roll and yaw:
-        context.warn(
+        context.report(
             "gimbal-rpy",
             f"'rpy' in {label(owner)} has a pitch of a quarter turn, at "
             "which roll and yaw rotate about the same axis",
@@ -359,7 +365,7 @@ def _advise_on_mesh(
     path = resolve_mesh(mesh.filename, element.value_span("filename"))
     sizes[mesh] = size = None if path is None else mesh_extent(path, mesh.scale)
     if size is not None and size > LARGEST_MESH:
-        context.warn(
+        context.report(
             "large-mesh",
             f"the mesh '{mesh.filename}' of {label(link.element)} is {shown(size)} m in size",
             element,
@@ -392,7 +398,7 @@ def advise_on_center(link: Link, context: CheckContext) -> None:
     if gap <= max(4 * largest, LEAST_GAP):
         return
     origin = inertial.pose.element
-    context.warn(
+    context.report(
         "far-center",
         f"the centre of mass of {label(link.element)} is {shown(gap)} m away from its shapes",
         inertial.element if origin is None else origin,
@@ -486,7 +492,7 @@ def advise_on_motion(robot: Robot, tree: Tree, context: CheckContext) -> None:
             first = group[0]
             names = dict.fromkeys(each.joint.name for each in group)
             context.outermost = first.joint.element
-            context.warn(
+            context.report(
                 code,
                 first.message,
                 first.element,
@@ -527,7 +533,7 @@ def _advise_on_joint(
     if "lower" not in written and "upper" not in written:
         return None
     if lower == upper:
-        context.warn(
+        context.report(
             "no-range",
             f"'lower' and 'upper' of joint '{joint.name}' are both {shown(lower)}, so it cannot "
             "move",
@@ -549,7 +555,7 @@ def _advise_on_follower(joint: Joint, joints: Joints, context: CheckContext) -> 
     if mimic is None or master is None or is_fixed(master):
         return
     if is_fixed(joint):
-        context.warn(
+        context.report(
             "fixed-mimic",
             f"joint '{joint.name}' mimics '{master.name}', but is fixed",
             mimic.element,
@@ -557,7 +563,7 @@ def _advise_on_follower(joint: Joint, joints: Joints, context: CheckContext) -> 
             hint="use a type that moves, or remove the mimic",
         )
     elif mimic.number("multiplier") == 0:
-        context.warn(
+        context.report(
             "fixed-mimic",
             f"joint '{joint.name}' mimics '{master.name}' with the multiplier 0, so it never moves",
             mimic.element,
@@ -568,7 +574,7 @@ def _advise_on_follower(joint: Joint, joints: Joints, context: CheckContext) -> 
         _advise_on_reach(joint, mimic, master, context)
     for each, other in ((joint, "it"), (master, f"'{master.name}'")):
         if each.type in (FLOATING, PLANAR):
-            context.warn(
+            context.report(
                 "mimic-type",
                 f"joint '{joint.name}' cannot mimic '{master.name}': {other} is {each.type}",
                 mimic.element,
@@ -593,7 +599,7 @@ def _advise_on_reach(joint: Joint, mimic: Mimic, master: Joint, context: CheckCo
         return
     least, most = sorted(factor * end + offset for end in ends)
     if min(upper, most) - max(lower, least) <= ROUNDING:
-        context.warn(
+        context.report(
             "fixed-mimic",
             f"joint '{joint.name}' would follow '{master.name}' from {shown(least)} to "
             f"{shown(most)}, but its range is {shown(lower)} to {shown(upper)}, so it never moves",
@@ -626,7 +632,7 @@ def _advise_on_massless(links: Mapping[str, Link], joints: Joints, context: Chec
     for group in context.apart(code, moved, lambda each: (links[each.child].element, "name")):
         joint = group[0]
         more = len(group) - 1
-        context.warn(
+        context.report(
             code,
             f"link '{joint.child}' is moved by joint '{joint.name}', but has no mass",
             links[joint.child].element,
@@ -666,7 +672,7 @@ def advise_on_leftovers(root: Element, context: CheckContext) -> None:
     for group in context.apart("leftover-expression", found, lambda each: each[:2]):
         element, attribute, text = group[0]
         more = len(group) - 1
-        context.warn(
+        context.report(
             "leftover-expression",
             f"'{text.strip()}' was not evaluated",
             element,

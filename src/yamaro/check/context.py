@@ -60,6 +60,7 @@ class CheckContext:
     __slots__ = (
         "_around",
         "_found",
+        "_is_advice",
         "_suggestion_budget",
         "count",
         "file_owners",
@@ -83,6 +84,7 @@ class CheckContext:
         *,
         version: str = "1.0",
         numbers: NumberReader | None = None,
+        is_advice: bool = False,
     ) -> None:
         """Report to `reporter`.
 
@@ -91,6 +93,7 @@ class CheckContext:
             reporter: takes the findings.
             version: the URDF version of the robot.
             numbers: reads numbers in attributes; by default a new one.
+            is_advice: whether only `yamaro check` reports what is found, never as an error.
 
         Attributes:
             count: how often something was found.
@@ -106,6 +109,7 @@ class CheckContext:
         self.root = root
         self.outermost: Element | None = None
         self._around: dict[int, Element] | None = None
+        self._is_advice = is_advice
         self.reporter = reporter
         self.version = version
         self.numbers = numbers or NumberReader()
@@ -120,7 +124,7 @@ class CheckContext:
         self._suggestion_budget = SUGGESTION_BUDGET
         self._found: list[dict[object, Finding]] = [{} for _ in range(FILES + 1)]
 
-    def warn(
+    def report(
         self,
         code: str,
         message: str,
@@ -132,69 +136,53 @@ class CheckContext:
         missing: str | None = None,
         hint: str | None = None,
         notes: Sequence[str] = (),
+        among: Sequence[Element] = (),
         fix: Fix | None = None,
         alike: str | None = None,
+        severity: str | None = None,
     ) -> None:
         """Note a finding at an attribute's value, or at the element when none is named.
 
-        With `is_of_name` it is at the attribute's name, with `span` at the text that is meant.
-
         A line in a loop or a function makes many elements; what is wrong with them for the same
-        reason is reported once. `missing` names what is not there, where that is the fault.
-        In a file of XML that is taken as it is, all that has the same `alike` is reported once.
+        reason is reported once.
+
+        Args:
+            code: what is wrong.
+            message: the same in a sentence.
+            element: where it is.
+            attribute: at whose value it is.
+            is_of_name: whether it is at the attribute's name instead.
+            span: the text that is meant, if that is neither.
+            missing: names what is not there, where that is the fault.
+            hint: what to write instead.
+            notes: further facts.
+            fix: what the hint describes.
+            among: the links and joints that are at odds, where there are several: one XML file may
+                be so in itself, but what two includes of it make together was made by YAML.
+            alike: in a file of XML that is taken as it is, all that has the same is reported once.
+            severity: if it is not that of the code. What is an error where YAML made the robot is
+                a warning in URDF and xacro that are taken as they are.
         """
+        from ..severities import SEVERITIES
+
+        if span is None and attribute is not None and is_of_name:
+            span = element.name_span(attribute)
+        is_error = (severity or SEVERITIES[code]) == ERROR and not self._is_advice
+        if is_error and _are_taken_as_they_are(among or (element,)):
+            is_error = False
         self._note(
             Diagnostic(
                 code,
                 message,
-                span
-                or (
-                    element.name_span(attribute)
-                    if attribute is not None and is_of_name
-                    else place_of(element, attribute)
-                ),
+                span or place_of(element, attribute),
                 hint=hint,
                 notes=notes,
-                severity=WARNING,
+                severity=ERROR if is_error else WARNING,
                 trace=self._trace_of(element),
                 fix=fix,
             ),
             (attribute, missing),
             alike=alike,
-        )
-
-    def error(
-        self,
-        code: str,
-        message: str,
-        element: Element,
-        *,
-        attribute: str | None = None,
-        missing: str | None = None,
-        hint: str | None = None,
-        notes: Sequence[str] = (),
-        among: Sequence[Element] = (),
-        fix: Fix | None = None,
-    ) -> None:
-        """Note a fault that parsers refuse; see `warn`.
-
-        It is an error where YAML made the robot, a warning in URDF and xacro that are taken as they
-        are. `among` are the links and joints that are at odds, where there are several: one XML
-        file may be so in itself, but what two includes of it make together was made by YAML.
-        """
-        elements = among or (element,)
-        self._note(
-            Diagnostic(
-                code,
-                message,
-                place_of(element, attribute),
-                hint=hint,
-                notes=notes,
-                severity=WARNING if _are_taken_as_they_are(elements) else ERROR,
-                trace=self._trace_of(element),
-                fix=fix,
-            ),
-            (attribute, missing),
         )
 
     def apart(

@@ -132,7 +132,7 @@ def _check_attributes(element: Element, where: str, context: CheckContext) -> No
             continue
         from ..fixes import respelling
 
-        context.warn(
+        context.report(
             "unknown-attribute",
             f"'{attribute}' has no meaning in {where}; ros2_control ignores it",
             element,
@@ -149,7 +149,7 @@ def _check_parts(block: Element, where: str, context: CheckContext) -> None:
     for child in block.elements():
         if child.name not in PARTS:
             hint, fix = context.near(child.name, PARTS, child.span)
-            context.warn(
+            context.report(
                 "unknown-element",
                 f"'{child.name}' has no meaning in {where}; {REFUSES}",
                 child,
@@ -162,7 +162,7 @@ def _check_hardware(block: Element, where: str, context: CheckContext) -> None:
     """Check that there is hardware, and that a plugin drives it."""
     found = list(children(block, "hardware"))
     if not found:
-        context.warn(
+        context.report(
             "missing-element",
             f"{where} has no 'hardware', so nothing drives its joints",
             block,
@@ -171,7 +171,7 @@ def _check_hardware(block: Element, where: str, context: CheckContext) -> None:
         )
         return
     for again in found[1:]:
-        context.warn(
+        context.report(
             "repeated-element",
             f"{where} has 'hardware' twice; the last counts",
             again,
@@ -181,7 +181,7 @@ def _check_hardware(block: Element, where: str, context: CheckContext) -> None:
         for child in hardware.elements():
             if child.name not in ("plugin", "param", "group"):
                 hint, fix = context.near(child.name, ("plugin", "param", "group"), child.span)
-                context.warn(
+                context.report(
                     "unknown-element",
                     f"'{child.name}' has no meaning in the hardware of {where}; ros2_control "
                     "ignores it",
@@ -190,7 +190,7 @@ def _check_hardware(block: Element, where: str, context: CheckContext) -> None:
                     fix=fix,
                 )
         for again in list(children(hardware, "plugin"))[1:]:
-            context.warn(
+            context.report(
                 "repeated-element",
                 f"the hardware of {where} has 'plugin' twice; the first counts",
                 again,
@@ -206,7 +206,7 @@ def _check_plugin(holder: Element, where: str, context: CheckContext) -> str:
     name = content(plugin) or ""
     if plugin is None or not name:
         state = "has no 'plugin'" if plugin is None else "has an empty 'plugin'"
-        context.warn(
+        context.report(
             "missing-element",
             f"{where} {state}; {REFUSES}",
             plugin or holder,
@@ -218,7 +218,7 @@ def _check_plugin(holder: Element, where: str, context: CheckContext) -> str:
             else "add `plugin: transmission_interface/SimpleTransmission`",
         )
     elif name.endswith((".so", ".dll", ".dylib")) or any(map(str.isspace, name)):
-        context.warn(
+        context.report(
             "bad-value",
             f"the plugin of {where} is '{name}', which is not the name of a class",
             plugin,
@@ -231,7 +231,7 @@ def _check_plugin(holder: Element, where: str, context: CheckContext) -> str:
         if meant:
             from ..fixes import respelling
 
-            context.warn(
+            context.report(
                 "unknown-type",
                 f"the plugin of {where} is '{name}', which no package exports",
                 plugin,
@@ -249,7 +249,7 @@ def _check_params(holder: Element, where: str, context: CheckContext) -> dict[st
         check_required(param, ("name",), f"a param of {where}", REFUSES, context)
         name = named(param)
         if name in found:
-            context.warn(
+            context.report(
                 "repeated-element",
                 f"the param '{name}' of {where} is given twice; the last counts",
                 param,
@@ -297,7 +297,7 @@ def _check_commanded(part: Element, name: str, commanded: set[str], context: Che
     for interface in children(part, "command_interface"):
         commands = f"{name}/{named(interface)}"
         if name and named(interface) and commands in commanded:
-            context.warn(
+            context.report(
                 "repeated-name",
                 f"two ros2_control blocks command '{commands}'; {REFUSES}",
                 interface,
@@ -328,7 +328,7 @@ def _check_component(
         if child.name == "command_interface" and "sensor" in (kind, part.name):
             is_block = kind == "sensor"
             place = " in a block for a sensor" if is_block else ", but cannot be commanded"
-            context.warn(
+            context.report(
                 "unknown-element",
                 f"{where} has a command interface{place}; ros2_control ignores it",
                 child,
@@ -337,7 +337,7 @@ def _check_component(
                 else "write a gpio in place of the sensor, or a state_interface",
             )
     if not count and not may_be_empty and (part.name != "joint" or not params):
-        context.warn(
+        context.report(
             "missing-element",
             f"{where} has no interface in ros2_control, so nothing can command or read it",
             part,
@@ -360,7 +360,7 @@ def _check_spelling(
         return False
     from ..fixes import respelling
 
-    context.warn(
+    context.report(
         "unknown-element",
         f"'{child.name}' of {where} has no meaning; {reader} ignores it",
         child,
@@ -395,7 +395,7 @@ def _check_interface(interface: Element, part: Element, where: str, context: Che
     for child in interface.elements():
         if child.name not in ("param", "limits"):
             is_param = child.name in OF_INTERFACES
-            context.warn(
+            context.report(
                 "unknown-element",
                 f"'{child.name}' has no meaning in {own}; ros2_control ignores it",
                 child,
@@ -447,7 +447,7 @@ def _check_joint(
         truths = ("true", "false")
         check_value(part, TRUE_OR_FALSE, own, context, attribute="mimic", truths=truths)
     if switch == "true" and joint.mimic is None:
-        context.warn(
+        context.report(
             "bad-value",
             f"joint '{joint.name}' has `mimic` in ros2_control, but mimics no joint of the "
             f"robot; {REFUSES}",
@@ -457,7 +457,7 @@ def _check_joint(
         )
     if joint.mimic is not None and switch != "false":
         if commands:
-            context.warn(
+            context.report(
                 "mimic-command",
                 f"joint '{joint.name}' mimics '{joint.mimic.joint}', so it cannot be commanded; "
                 f"{REFUSES}",
@@ -465,7 +465,7 @@ def _check_joint(
                 hint="remove its command interfaces, or write `mimic=false` on the joint here",
             )
         elif joint.mimic.joint in tree.joints and joint.mimic.joint not in own_joints:
-            context.warn(
+            context.report(
                 "unknown-joint",
                 f"joint '{joint.name}' mimics '{joint.mimic.joint}', which is not in this block; "
                 f"{REFUSES}",
@@ -489,7 +489,7 @@ def _check_start(part: Element, joint: Joint, context: CheckContext) -> None:
             start = _number(content(param)) if named(param) == "initial_value" else None
             if start is None or lower - TOLERANCE <= start <= upper + TOLERANCE or lower > upper:
                 continue
-            context.warn(
+            context.report(
                 "out-of-range",
                 f"joint '{joint.name}' starts at {shown(start)}, outside of its limits "
                 f"{shown(lower)} to {shown(upper)}",
@@ -507,7 +507,7 @@ def _number(text: str | None) -> float | None:
 
 
 def _report_fixed(part: Element, joint: Joint, result: str, context: CheckContext) -> None:
-    context.warn(
+    context.report(
         "fixed-joint",
         f"joint '{joint.name}' is fixed, so it cannot be driven; {result}",
         part,
@@ -531,7 +531,7 @@ def _check_own_transmission(
         check_required(part, ("name", "role"), own, REFUSES, context)
         if part.name == "joint" and named(part) and named(part) not in declared:
             hint, fix = context.near(named(part), declared, part.value_span("name"))
-            context.warn(
+            context.report(
                 "unknown-joint",
                 f"{own} is not among the joints of its ros2_control block; {REFUSES}",
                 part,
@@ -545,7 +545,7 @@ def _check_own_transmission(
         if wrong is not None and _number(content(wrong)) != 1:
             from ..fixes import respelling
 
-            context.warn(
+            context.report(
                 "unknown-element",
                 f"'mechanicalReduction' of {own} has no meaning; ros2_control takes 1",
                 wrong,
@@ -599,7 +599,7 @@ def check_transmissions(
         if is_old:
             continue
         if not text and not misspelt:
-            context.warn(
+            context.report(
                 "missing-element",
                 f"{where} has {'no' if kind is None else 'an empty'} 'type'; {skips}",
                 kind or transmission,
@@ -648,7 +648,7 @@ def _check_reductions(
         for reduction in children(part, name):
             row = check_value(reduction, ANY, f"'{name}' of {where}", context)
             if row == (0.0,):
-                context.warn(
+                context.report(
                     "out-of-range",
                     f"'{name}' of {where} is 0, by which is divided; it is not loaded",
                     reduction,
@@ -669,7 +669,7 @@ def _check_hardware_interfaces(
     own = f"the joint '{named(joint)}' of {where}"
     interfaces = [each for each in children(joint, "hardwareInterface") if content(each)]
     if not interfaces and not any(is_near(e.name, "hardwareInterface") for e in joint.elements()):
-        context.warn(
+        context.report(
             "missing-element",
             f"{own} has no 'hardwareInterface'; {skips}",
             joint,
@@ -704,7 +704,7 @@ def _check_counts(
         for part in found:
             names.add(part, context)
         if not found:
-            context.warn(
+            context.report(
                 "missing-element",
                 f"{where} has no '{word}', so it is not loaded",
                 transmission,
@@ -712,7 +712,7 @@ def _check_counts(
                 hint=f"add `{word}/name=…:`",
             )
         elif count is not None and len(found) != count:
-            context.warn(
+            context.report(
                 "wrong-count",
                 f"{where} has {len(found)} {word}{'s' if len(found) > 1 else ''}, but its type "
                 f"has {count}",
@@ -729,7 +729,7 @@ def _check_roles(
     seen: set[str] = set()
     for role, part in roles:
         if role is None:
-            context.warn(
+            context.report(
                 "missing-element",
                 f"the {part.name} '{named(part)}' of {where} has no 'role'; it is not loaded",
                 part,
@@ -738,7 +738,7 @@ def _check_roles(
             )
         elif role in seen or not role.startswith(part.name):
             what = "which another has" if role in seen else f"which is not a role of {part.name}s"
-            context.warn(
+            context.report(
                 "bad-value",
                 f"the role of the {part.name} '{named(part)}' of {where} is '{role}', {what}",
                 part,

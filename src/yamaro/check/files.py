@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ..diagnostics import WARNING
 from ..model.values import attribute_text, child_named
 from ..xml.tree import Element
 from .context import CheckContext, label
@@ -38,7 +39,7 @@ def check_files(
         span = element.value_span("filename")
         what = f"the {element.name} '{filename}' of {label(owner)}"
         if not filename.strip():
-            context.warn(
+            context.report(
                 "missing-mesh-file",
                 f"the {element.name} of {label(owner)} has an empty filename",
                 element,
@@ -54,7 +55,7 @@ def check_files(
             fault = package_fault(package, span)
         if package is None or fault is None:
             path = path_meant(filename, span) if path_meant is not None else None
-            context.warn(
+            context.report(
                 "missing-mesh-file",
                 f"{what} does not exist",
                 element,
@@ -69,13 +70,14 @@ def check_files(
             told.add(package)
             hint, places = fault
             looked = "; searched in " + ", ".join(places) if places else ""
-            context.warn(
+            context.report(
                 "unknown-package",
                 f"the package '{package}', where {label(owner)} has its {element.name}, is not "
                 "found",
                 element,
                 attribute="filename",
                 hint=f"{hint}{looked}",
+                severity=WARNING,
             )
     context.outermost = None
 
@@ -128,7 +130,7 @@ def advise_on_addresses(context: CheckContext, advice: CheckContext) -> None:
         advice.outermost = owner
         what = f"the {element.name} '{filename}' of {label(owner)}"
         if separator and scheme in REMOTE:
-            advice.warn(
+            advice.report(
                 "remote-mesh",
                 f"{what} is on the web, where only programs of ROS fetch it",
                 element,
@@ -137,7 +139,7 @@ def advise_on_addresses(context: CheckContext, advice: CheckContext) -> None:
             )
         elif separator and scheme not in SCHEMES:
             hint, fix = advice.near(scheme, SCHEMES, element.value_span("filename"))
-            advice.warn(
+            advice.report(
                 "bad-mesh-address",
                 f"{what} has the scheme '{scheme}', which no reader of URDF knows",
                 element,
@@ -146,7 +148,7 @@ def advise_on_addresses(context: CheckContext, advice: CheckContext) -> None:
                 fix=fix,
             )
         elif "\\" in filename:
-            advice.warn(
+            advice.report(
                 "bad-mesh-address",
                 f"{what} has backslashes, which only Windows reads",
                 element,
@@ -154,7 +156,7 @@ def advise_on_addresses(context: CheckContext, advice: CheckContext) -> None:
                 hint=f"write {filename.replace(chr(92), '/')}",
             )
         elif filename.rpartition(".")[2].lower() in CAD and element.name == "mesh":
-            advice.warn(
+            advice.report(
                 "bad-mesh-address",
                 f"{what} is a file of a design program, which no reader of URDF reads",
                 element,
@@ -186,7 +188,7 @@ def warn_of_clashes(
     """
     for package, folder, span in clashes:
         origin = f"{package.distribution} {package.version}"
-        reporter.warn(
+        reporter.report(
             "hidden-package",
             f"the ROS package '{package.name}' is used, not the Python package of that name",
             span or root.span,

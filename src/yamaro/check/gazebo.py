@@ -69,7 +69,7 @@ def check_gazebo(blocks: Iterable[Element], tree: Tree, context: CheckContext) -
         if misspelt is not None:
             from ..fixes import respelling
 
-            context.warn(
+            context.report(
                 "unknown-attribute",
                 f"'{misspelt}' of a block for Gazebo has no meaning",
                 block,
@@ -124,7 +124,7 @@ def _check_fixed(block: Element, name: str, tree: Tree, context: CheckContext) -
     joint = tree.joints[name]
     said = [child for child in block.elements() if child.name not in PRESERVED]
     if is_fixed(joint) and said:
-        context.warn(
+        context.report(
             "fixed-joint",
             f"joint '{name}' is fixed: Gazebo merges its two links, so that this block has no "
             "effect",
@@ -144,7 +144,7 @@ def _check_entry(
         _check_unknown(child, table, where, context)
         return
     if name not in OFTEN and name in seen:
-        context.warn(
+        context.report(
             "repeated-element",
             f"'{name}' {where} is given twice in this block; the last counts",
             child,
@@ -170,7 +170,7 @@ def _check_unknown(child: Element, table: Table, where: str, context: CheckConte
         if child.name in OF_MODELS:
             holder = "the robot as a whole"
         if table is OF_MODELS or child.name in OF_LINKS:
-            context.warn(
+            context.report(
                 "unknown-element",
                 f"'{child.name}' has no meaning {where}; libsdformat ignores it",
                 child,
@@ -190,7 +190,7 @@ def _check_spelling(
         if is_near(word, near):
             from ..fixes import respelling
 
-            context.warn(
+            context.report(
                 "unknown-element",
                 f"'{word}' {where} has no meaning; libsdformat ignores it",
                 child,
@@ -273,14 +273,14 @@ def _check_sensor(sensor: Element, reference: str, tree: Tree, context: CheckCon
         and reference not in tree.links
         and kind not in ("", "force_torque")
     ):
-        context.warn(
+        context.report(
             "unknown-reference",
             f"{where} is on '{reference}', which is a joint",
             sensor,
             hint="only force_torque sensors are on joints; refer to a link",
         )
     elif kind == "force_torque" and reference in tree.links and reference not in tree.joints:
-        context.warn(
+        context.report(
             "unknown-reference",
             f"{where} is on '{reference}', which is a link, so it measures nothing",
             sensor,
@@ -293,7 +293,7 @@ def _check_contents(sensor: Element, kind: str, where: str, context: CheckContex
     for child in sensor.elements():
         kinds = CONTENTS.get(child.name, ())
         if kinds and kind in SENSOR_TYPES and kind not in kinds and kind != "custom":
-            context.warn(
+            context.report(
                 "unknown-element",
                 f"'{child.name}' has no meaning in {where}, whose type is {kind}",
                 child,
@@ -309,7 +309,7 @@ def _check_contents(sensor: Element, kind: str, where: str, context: CheckContex
     elif kind == "contact" and not content(inside(sensor, "contact", "collision")):
         missing = "contact/collision"
     if missing is not None:
-        context.warn(
+        context.report(
             "missing-element",
             f"{where} has no '{missing}', so it measures nothing",
             sensor,
@@ -336,7 +336,7 @@ def _check_plugin(plugin: Element, tree: Tree, context: CheckContext) -> None:
                 continue
             span = content_span(child)
             hint, fix = near_name(span, own, tree, ending, context)
-            context.warn(
+            context.report(
                 code,
                 f"'{child.name}' of {where} names '{own}', which is not a {kind} of the robot",
                 child,
@@ -364,7 +364,7 @@ def check_sensors(sensors: Iterable[Element], context: CheckContext) -> None:
             check_value(sensor, NOT_NEGATIVE, own, context, attribute="update_rate")
         parent = child_named(sensor, "parent")
         if parent is None:
-            context.warn(
+            context.report(
                 "missing-element",
                 f"{where} has no 'parent', so it is nowhere",
                 sensor,
@@ -421,7 +421,7 @@ def _check_attributes(
             check_value(element, rule, f"'{attribute}' of {where}", context, attribute=attribute)
     lower, upper = (numbers(attribute_text(element, end) or "") for end in ends)
     if lower and upper and lower[0] > upper[0]:
-        context.warn(
+        context.report(
             "limit-order",
             f"'{ends[0]}' ({lower[0]:.6g}) of {where} is greater than '{ends[1]}' ({upper[0]:.6g})",
             element,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import hypot
 
+from ..diagnostics import WARNING
 from ..model.joint import CONTINUOUS, LIMITED, PLANAR, REVOLUTE, SINGLE
 from ..model.schema import ELEMENTS, JOINT_TYPES, joint_type_hint, joint_type_meant
 from ..model.values import attribute_text
@@ -54,7 +55,7 @@ def _name(joint: Element) -> str:
 def _report_type(kind: str, joint: Element, context: CheckContext) -> None:
     from ..fixes import respelling
 
-    context.error(
+    context.report(
         "unknown-joint-type",
         f"joint '{_name(joint)}' has the type '{kind}', which is not a URDF joint type",
         joint,
@@ -73,7 +74,7 @@ def _check_axis(axis: Element, joint: Element, context: CheckContext) -> None:
         return
     length = hypot(*xyz)
     if length == 0:
-        context.warn(
+        context.report(
             "zero-axis",
             f"the axis of joint '{_name(joint)}' is zero, so it has no direction",
             axis,
@@ -84,7 +85,7 @@ def _check_axis(axis: Element, joint: Element, context: CheckContext) -> None:
         from ..fixes import renumbering
 
         unit = " ".join(shown(part / length) for part in xyz)
-        context.warn(
+        context.report(
             "axis-not-unit",
             f"the axis of joint '{_name(joint)}' has the length {shown(length)} instead of 1",
             axis,
@@ -100,7 +101,7 @@ def _check_axis(axis: Element, joint: Element, context: CheckContext) -> None:
 
 
 def _report_missing_limit(kind: str, joint: Element, context: CheckContext) -> None:
-    context.error(
+    context.report(
         "missing-limit",
         f"joint '{_name(joint)}' is {kind} and has no limit, which URDF requires",
         joint,
@@ -118,12 +119,13 @@ def _check_limit(limit: Element, kind: str, joint: Element, context: CheckContex
     if kind in LIMITED and (
         attribute_text(limit, "lower") is None and attribute_text(limit, "upper") is None
     ):
-        context.warn(
+        context.report(
             "missing-limit",
             f"joint '{_name(joint)}' is {kind}, but its limit has no 'lower' and "
             "no 'upper': both default to 0, so it cannot move",
             limit,
             hint=_limit_hint(kind, "add `lower=-1, upper=1` to it"),
+            severity=WARNING,
         )
     elif kind != CONTINUOUS:
         _check_order(limit, "lower", "upper", joint, context)
@@ -144,7 +146,7 @@ def _check_order(
         context.sound.add(("order", *texts))
         return
     absent = [n for n in (lower_name, upper_name) if attribute_text(element, n) is None]
-    context.warn(
+    context.report(
         "limit-order",
         f"'{lower_name}' ({shown(lower)}) of joint '{_name(joint)}' is "
         f"greater than '{upper_name}' ({shown(upper)})",
@@ -158,7 +160,7 @@ def _check_dynamics(dynamics: Element, joint: Element, context: CheckContext) ->
     """Check that it says something: urdfdom refuses a joint whose dynamics is bare."""
     if any(attribute_text(dynamics, name) is not None for name in ELEMENTS["dynamics"].fields):
         return
-    context.error(
+    context.report(
         "missing-attribute",
         f"the dynamics of joint '{_name(joint)}' has neither 'damping' nor 'friction'",
         dynamics,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import fabs, hypot, tau
 
+from ..diagnostics import WARNING
 from ..model.schema import MOMENTS
 from ..model.shapes import SHAPE_WORDS, SIMPLE_SHAPES, Capsule, Mesh
 from ..model.values import attribute_text
@@ -46,7 +47,7 @@ def _report_mass(mass: float, element: Element, link: Element, context: CheckCon
     hint = "give the mass in kilograms"
     if mass == 0:
         hint += ", or remove `inertial` if the link is only a frame"
-    context.warn(
+    context.report(
         "bad-mass",
         f"the mass of {label(link)} is {shown(mass)}, but must be greater than 0",
         element,
@@ -76,7 +77,7 @@ def _check_inertia(inertia: Element, link: Element, context: CheckContext) -> No
         context.sound.add(texts)
         return
     spans = inertia.value_spans
-    context.warn(
+    context.report(
         "bad-inertia",
         f"no body can have the inertia of {label(link)}: {fault}",
         inertia,
@@ -131,7 +132,7 @@ def _check_geometry(
     where = f"a {section.name} of {label(link)}"
     if not shapes:
         if not geometry.elements():
-            context.error(
+            context.report(
                 "missing-element",
                 f"the geometry in {where} has no shape",
                 geometry,
@@ -140,7 +141,7 @@ def _check_geometry(
         return
     kinds = {shape.name for shape in shapes}
     if len(kinds) > 1:
-        context.warn(
+        context.report(
             "several-shapes",
             f"the geometry in {where} has {len(shapes)} shapes; parsers read the first",
             shapes[1],
@@ -155,12 +156,13 @@ def _check_geometry(
 def _check_scale(mesh: Element, where: str, context: CheckContext) -> None:
     scale = context.numbers.row(mesh, "scale", 3)
     if scale and 0.0 in scale:
-        context.warn(
+        context.report(
             "bad-size",
             f"the scale of the mesh in {where} contains 0, which flattens it",
             mesh,
             attribute="scale",
             hint="write `1 1 1` for the mesh as it is, `0.001 0.001 0.001` if it is in millimetres",
+            severity=WARNING,
         )
 
 
@@ -168,7 +170,7 @@ def _report_capsule(capsule: Element, where: str, context: CheckContext) -> None
     """Warn of a capsule in URDF 1.0, unless a part with a capsule has been warned of already."""
     if any(known.code == CAPSULE_CODE for known in context.reporter.diagnostics):
         return
-    context.warn(
+    context.report(
         CAPSULE_CODE,
         f"the geometry in {where} is a capsule, which needs URDF 1.1",
         capsule,
@@ -194,7 +196,7 @@ def check_pose(origin: Element | None, owner: Element, context: CheckContext) ->
 def _check_angles(rpy: str, origin: Element, owner: Element, context: CheckContext) -> None:
     for angle in context.numbers.row(origin, "rpy", 3):
         if fabs(angle) > tau + ANGLE_TOLERANCE:
-            context.warn(
+            context.report(
                 "angle-too-large",
                 f"'rpy' in {label(owner)} contains {shown(angle)}, more than a full turn",
                 origin,
@@ -207,7 +209,7 @@ def _check_angles(rpy: str, origin: Element, owner: Element, context: CheckConte
 
 def _check_quaternion(origin: Element, owner: Element, context: CheckContext) -> None:
     if attribute_text(origin, "rpy") is not None:
-        context.error(
+        context.report(
             "two-rotations",
             f"the origin in {label(owner)} has both 'rpy' and 'quat_xyzw'",
             origin,
@@ -216,7 +218,7 @@ def _check_quaternion(origin: Element, owner: Element, context: CheckContext) ->
         )
         return
     if context.version == "1.0":
-        context.warn(
+        context.report(
             "needs-version",
             f"the origin in {label(owner)} has 'quat_xyzw', which URDF 1.0 ignores",
             origin,
@@ -226,7 +228,7 @@ def _check_quaternion(origin: Element, owner: Element, context: CheckContext) ->
         return
     numbers = context.numbers.row(origin, "quat_xyzw", 4)
     if numbers and fabs(hypot(*numbers) - 1) > ANGLE_TOLERANCE:
-        context.warn(
+        context.report(
             "quaternion-not-unit",
             f"the quaternion in {label(owner)} has the length {shown(hypot(*numbers))} "
             "instead of 1",

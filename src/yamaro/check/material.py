@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ..diagnostics import WARNING
 from ..model.values import attribute_text, child_named
 from ..xml.tree import Element
 from .context import COLORS, USES, CheckContext, is_attribute, label, shown
@@ -26,7 +27,7 @@ def check_materials(robot: Robot, context: CheckContext) -> None:
             continue
         context.outermost = link
         hint, fix = context.near(name, [*known, *sorted(inside)], material.value_span("name"))
-        context.warn(
+        context.report(
             "unknown-material",
             f"the material '{name}' of {label(link)} is not defined",
             material,
@@ -84,17 +85,18 @@ def _check_global(material: Element, known: dict[str, Element], context: CheckCo
     if name is None:
         return
     if not name.strip():
-        context.warn(
+        context.report(
             "bad-name",
             "the name of a material is empty, so no visual can refer to it",
             material,
             attribute="name",
             hint="write a name that describes it, such as dark_grey",
+            severity=WARNING,
         )
         return
     first = known.get(name)
     if first is not None:
-        context.error(
+        context.report(
             "duplicate-material",
             f"there are two materials named '{name}'",
             material,
@@ -106,11 +108,12 @@ def _check_global(material: Element, known: dict[str, Element], context: CheckCo
         return
     known[name] = material
     if not _is_defined(material):
-        context.warn(
+        context.report(
             "missing-element",
             f"material '{name}' has neither a color nor a texture",
             material,
             hint="add `color/rgba=0.8 0.8 0.8 1:`",
+            severity=WARNING,
         )
 
 
@@ -125,7 +128,7 @@ def _check_color(material: Element, context: CheckContext) -> None:
 
     worst = max(rgba, key=lambda part: abs(part - 0.5))
     divided = _divided(rgba)
-    context.warn(
+    context.report(
         "bad-color",
         f"the color of {label(material)} holds {shown(worst)}, but its four numbers go from 0 to 1",
         color,

@@ -41,7 +41,7 @@ def check_outermost(child: Element, context: CheckContext) -> None:
     """Check an element directly under `robot`, where everybody's extensions stand as well."""
     name = child.name
     if name in PARENTS:
-        context.warn(
+        context.report(
             "unknown-element",
             f"'{name}' has no meaning directly under 'robot'; parsers ignore it",
             child,
@@ -49,7 +49,7 @@ def check_outermost(child: Element, context: CheckContext) -> None:
         )
         return
     if OTHER_FORMATS.get(name) == "SDF":  # MuJoCo reads a `mujoco` element in URDF
-        context.warn(
+        context.report(
             "unknown-element",
             f"'{name}' is an element of {OTHER_FORMATS[name]}; parsers of URDF ignore it",
             child,
@@ -60,7 +60,7 @@ def check_outermost(child: Element, context: CheckContext) -> None:
     if near is not None:
         from ..fixes import respelling
 
-        context.warn(
+        context.report(
             "unknown-element",
             f"URDF has no element '{name}', so parsers ignore it",
             child,
@@ -136,7 +136,7 @@ def _check_gazebo(gazebo: Element, tree: Tree, context: CheckContext) -> None:
     hint, fix = near_name(span, name, tree, "_link", context)
     if hint is None:
         hint, fix = near_name(span, name, tree, "_joint", context)
-    context.warn(
+    context.report(
         "unknown-reference",
         f"this block refers to '{name}', which is not a link or joint of the robot",
         gazebo,
@@ -174,7 +174,7 @@ def _check_sensor(sensor: Element, tree: Tree, context: CheckContext) -> None:
     if parent is None or not name or name in tree.links:
         return
     hint, fix = near_name(parent.value_span("link"), name, tree, "_link", context)
-    context.warn(
+    context.report(
         "unknown-reference",
         f"the sensor '{attribute_text(sensor, 'name') or ''}' is on '{name}', which is not a link "
         "of the robot",
@@ -201,7 +201,7 @@ def _report_joint(
 ) -> None:
     span = place_of(element, attribute)
     hint, fix = near_name(span, name, tree, "_joint", context)
-    context.warn(
+    context.report(
         "unknown-joint",
         f"{holder} names '{name}', which is not a joint of the robot",
         element,
@@ -217,7 +217,7 @@ def _check_mimic(joint: Joint, tree: Tree, context: CheckContext) -> None:
     master = tree.joints.get(mimic.joint) if mimic is not None else None
     if mimic is None or master is None or is_fixed(joint) or not is_fixed(master):
         return
-    context.warn(
+    context.report(
         "fixed-mimic",
         f"joint '{joint.name}' mimics '{master.name}', which is fixed, so it never moves",
         mimic.element,

@@ -5,7 +5,7 @@ Everything here is linear in the size of the robot and recurses no deeper than t
 
 from __future__ import annotations
 
-from ..diagnostics import INHERITED
+from ..diagnostics import INHERITED, WARNING
 from ..model.joint import FIXED
 from ..model.reading import read_robot
 from ..model.schema import OTHER_FORMATS, VERSIONS, is_semantic
@@ -89,7 +89,7 @@ def check(
         if is_semantic(root):
             from .semantics import check_semantics
 
-            told = CheckContext(root, advice)
+            told = CheckContext(root, advice, is_advice=True)
             check_semantics(root, told)
             told.flush()
             return bool(context.file_owners)
@@ -115,7 +115,7 @@ def check_format(root: Element, reporter: Reporter) -> None:
             known = OTHER_FORMATS.get(root.name)
             what = f"this is not {format}" if known is None else f"this is {known}, not {format}"
             a = "a" if format == "URDF" else "an"
-            reporter.warn(
+            reporter.report(
                 "not-urdf",
                 f"{what}: its root is '{root.name}'",
                 root.span,
@@ -130,7 +130,7 @@ def _check_robot(robot: Robot, context: CheckContext) -> str:
     if name is not None:
         check_spelling(root, name, context)
     if not robot.all_links and not is_semantic(root):
-        context.warn(
+        context.report(
             "no-link",
             "the robot has no link, so parsers reject it",
             root,
@@ -140,7 +140,7 @@ def _check_robot(robot: Robot, context: CheckContext) -> str:
     if version is None:
         return VERSIONS[0]
     if version not in VERSIONS:
-        context.error(
+        context.report(
             "bad-version",
             f"'{version}' is not a version of URDF",
             root,
@@ -234,7 +234,7 @@ def _check_name(thing: Named, known: dict[str, Named], context: CheckContext) ->
         return
     if not name:
         return
-    context.error(
+    context.report(
         f"duplicate-{element.name}",
         f"there are two {element.name}s named '{name}'",
         element,
@@ -275,12 +275,13 @@ def check_spelling(element: Element, name: str, context: CheckContext) -> None:
         message = f"the {element.name} name '{name}' contains white space"
     else:
         message = f"the {element.name} name '{name}' contains invisible characters"
-    context.warn(
+    context.report(
         "bad-name",
         message,
         element,
         attribute="name",
         hint="use letters, digits and underscores, as in left_arm_link",
+        severity=WARNING,
     )
 
 
@@ -331,7 +332,7 @@ def _reference(joint: Joint, role: str, tree: Tree, context: CheckContext) -> st
     context.outermost = joint.element
     hint, fix = near_name(element.value_span("link"), name, tree, "_link", context)
     known = f": {listed(list(tree.links))}" if tree.links else ""
-    context.error(
+    context.report(
         f"unknown-{role}",
         f"the {role} '{name}' of joint '{joint.written('name')}' is not a link of the robot",
         element,
@@ -361,7 +362,7 @@ def _report_two_parents(child: str, first: Joint, second: Joint, context: CheckC
     names = [first.name, second.name]
     if names[0] == names[1]:
         return  # Joints of one name are reported; most often all of a part is there twice.
-    context.error(
+    context.report(
         "two-parents",
         f"link '{child}' is the child of two joints, {listed(names)}",
         second.inner("child") or second.element,
@@ -418,7 +419,7 @@ def _report_circle(circle: list[str], hanging: Hanging, context: CheckContext) -
         message = f"joint '{name}' has the link '{circle[0]}' both as parent and as child"
     else:
         message = f"the joints form a cycle: {' → '.join(way)}"
-    context.error(
+    context.report(
         "joint-cycle",
         message,
         joint.inner("parent") or joint.element,
@@ -433,7 +434,7 @@ def _check_roots(tree: Tree, hanging: Hanging, context: CheckContext) -> None:
     roots = [name for name in tree.links if name not in hanging.parents]
     if len(roots) < 2:
         return
-    context.error(
+    context.report(
         "several-roots",
         f"the robot has {len(roots)} separate trees: {listed(roots)} are not the child of a joint",
         tree.links[roots[1]].element,
@@ -467,7 +468,7 @@ def _check_depth(hanging: Hanging, tree: Tree, context: CheckContext) -> None:
     if longest <= LONG_CHAIN:
         return
     deepest = next(name for name, level in depth.items() if level == longest)
-    context.warn(
+    context.report(
         "long-chain",
         f"link '{deepest}' has {longest} joints above it",
         tree.links[deepest].element,
@@ -496,7 +497,7 @@ def _check_mimics(robot: Robot, tree: Tree, context: CheckContext) -> None:
         if master not in tree.joints:
             span = mimic.element.value_span("joint")
             hint, fix = near_name(span, master, tree, "_joint", context)
-            context.warn(
+            context.report(
                 "unknown-mimic",
                 f"joint '{name}' mimics '{master}', which is not a joint of the robot",
                 mimic.element,
@@ -521,7 +522,7 @@ def _report_mimic_circle(circle: list[str], tree: Tree, context: CheckContext) -
     else:
         way = [*circle[:MAX_PATH_SHOWN], circle[0]]
         message = f"joints mimic one another in a cycle: {' → '.join(way)}"
-    context.warn(
+    context.report(
         "mimic-cycle",
         message,
         joint.inner("mimic") or joint.element,

@@ -5,6 +5,7 @@ It is the one walk over all elements, and calls the checks of what their values 
 
 from __future__ import annotations
 
+from ..diagnostics import ERROR, WARNING
 from ..model.schema import (
     ANY,
     ELEMENTS,
@@ -182,8 +183,8 @@ def _check_own_origin(origin: Element, joint: Element, context: CheckContext) ->
     context.stage = SCHEMA
 
 
-def _teller(name: str, context: CheckContext) -> Callable[..., None]:
-    """Return what reports a value of an attribute that is not what it should be.
+def _severity_of(name: str, context: CheckContext) -> str:
+    """Return how severe it is that an attribute's value is not what it should be.
 
     It is a warning if urdfdom and pinocchio do not read the attribute, so that only MuJoCo can
     reject the robot.
@@ -193,7 +194,7 @@ def _teller(name: str, context: CheckContext) -> Callable[..., None]:
         or (name == "quat_xyzw" and context.version == "1.0")
         or (name in OF_1_2 and context.version != "1.2")
     )
-    return context.warn if is_unread else context.error
+    return WARNING if is_unread else ERROR
 
 
 # --- attributes -------------------------------------------------------------------------------
@@ -255,8 +256,8 @@ def _report_not_a_number(
     else:
         message = f"{where} holds '{fault.item}', which is not a number"
         hint = _hint_for_word(fault.item, text)
-    tell = _teller(name, context)
-    tell("not-a-number", message, element, attribute=name, hint=hint)
+    severity = _severity_of(name, context)
+    context.report("not-a-number", message, element, attribute=name, hint=hint, severity=severity)
 
 
 def _hint_for_word(item: str, text: str) -> str:
@@ -285,13 +286,13 @@ def _report_count(
         hint = f"write {rule.count} numbers: {rule.parts}"
     if name == "rgba" and count == 3:
         hint = f"add the opacity as the fourth number: {text} 1"
-    tell = context.warn if element.name == "color" else _teller(name, context)
-    tell(
+    context.report(
         "wrong-count",
         f"'{name}' of '{element.name}' in {label(owner)} needs {wanted}, but has {found}",
         element,
         attribute=name,
         hint=hint,
+        severity=WARNING if element.name == "color" else _severity_of(name, context),
     )
 
 
@@ -305,26 +306,27 @@ def _report_sign(
 ) -> None:
     where = f"'{name}' of '{element.name}' in {label(owner)}"
     if rule.sign == POSITIVE:
-        context.warn(
+        context.report(
             "bad-size",
             f"{where} holds {shown(number)}, but a size must be greater than 0",
             element,
             attribute=name,
             hint="write the size in metres, or remove this geometry",
+            severity=WARNING,
         )
         return
     # urdfdom refuses a negative acceleration, deceleration and jerk where it reads them.
     is_refused = context.version == "1.2" and name in OF_1_2
-    tell = context.error if is_refused else context.warn
     from ..fixes import renumbering
 
-    tell(
+    context.report(
         "negative-value",
         f"{where} is {shown(number)}, but cannot be negative",
         element,
         attribute=name,
         hint="write the value without a sign; it applies to both directions",
         fix=renumbering(element.value_span(name), f"{shown(-number)}"),
+        severity=ERROR if is_refused else WARNING,
     )
 
 
@@ -349,8 +351,14 @@ def _report_missing_attribute(
         subject = label(owner) if name != "name" else f"a {element.name}"
     if element.name == "robot":
         subject = "the robot"
-    tell = context.warn if element.name in FORGIVEN else context.error
-    tell("missing-attribute", f"{subject} has no '{name}'", element, missing=name, hint=hint)
+    context.report(
+        "missing-attribute",
+        f"{subject} has no '{name}'",
+        element,
+        missing=name,
+        hint=hint,
+        severity=WARNING if element.name in FORGIVEN else ERROR,
+    )
 
 
 def _check_unknown_attribute(
@@ -371,7 +379,7 @@ def _check_unknown_attribute(
         absent = [known for known in rule.fields if known not in element.attributes]
         near, fix = meant(name, absent, element.name_span(name))
         hint = near or _choices("attributes", element.name, rule.fields)
-    context.warn(
+    context.report(
         "unknown-attribute",
         f"URDF has no attribute '{name}' in {_holder(element, owner)}; parsers ignore it",
         element,
@@ -402,7 +410,7 @@ def _holder(element: Element, owner: Element) -> str:
 def _check_repeated(
     child: Element, first: Element, element: Element, owner: Element, context: CheckContext
 ) -> None:
-    context.warn(
+    context.report(
         "repeated-element",
         f"{_holder(element, owner)} has more than one '{child.name}'; parsers read the first",
         child,
@@ -421,13 +429,13 @@ def _report_missing_child(
     name: str, element: Element, owner: Element, context: CheckContext
 ) -> None:
     subject = _holder(element, owner)
-    tell = context.warn if element.name in FORGIVEN else context.error
-    tell(
+    context.report(
         "missing-element",
         f"{subject} has no '{name}'",
         element,
         missing=name,
         hint=REMEDIES[name],
+        severity=WARNING if element.name in FORGIVEN else ERROR,
     )
 
 
@@ -454,11 +462,15 @@ def _check_unknown_child(
     if element.name == "geometry":
         is_needed = names.isdisjoint(SHAPE_WORDS)
     hint, fix = _hint_for_stray(child, element, names, rule)
-    if is_needed:
-        context.error("unknown-element", message, child, hint=hint, fix=fix)
-    else:
-        alike = None if fix else f"{element.name} {child.name}"
-        context.warn("unknown-element", message, child, hint=hint, fix=fix, alike=alike)
+    context.report(
+        "unknown-element",
+        message,
+        child,
+        hint=hint,
+        fix=fix,
+        alike=None if fix or is_needed else f"{element.name} {child.name}",
+        severity=ERROR if is_needed else WARNING,
+    )
 
 
 def _hint_for_stray(

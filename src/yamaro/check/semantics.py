@@ -120,7 +120,7 @@ def check_semantics(root: Element, context: CheckContext) -> None:
     context.outermost = None
     _check_circles(groups, context)
     if not any(child.name in NEEDED for child in root.elements()):
-        context.warn(
+        context.report(
             "missing-element",
             "this SRDF says nothing of its robot",
             root,
@@ -141,7 +141,7 @@ def _check_unknown(child: Element, known: Iterable[str], where: str, context: Ch
         return
     hint, fix = context.near(child.name, list(known), child.span)
     belongs = child.name in MEMBERS and known is NEEDED
-    context.warn(
+    context.report(
         "unknown-element",
         f"'{child.name}' has no meaning in {where}; {IGNORES}",
         child,
@@ -167,7 +167,7 @@ def _check_group(
         elif member.name == "chain":
             ends = [attribute_text(member, end) for end in needed]
             if ends[0] and ends[0] == ends[1]:
-                context.warn(
+                context.report(
                     "bad-value",
                     f"the chain of {where} begins and ends at '{ends[0]}', so it has no joint",
                     member,
@@ -175,7 +175,7 @@ def _check_group(
                     hint="name the last link of the chain",
                 )
     if not members:
-        context.warn(
+        context.report(
             "missing-element",
             f"{where} is empty, so MoveIt moves nothing with it",
             group,
@@ -195,7 +195,7 @@ def _check_group_name(
     if not name or name in groups or "$" in name:
         return
     hint, fix = context.near(name, groups, element.value_span(attribute))
-    context.warn(
+    context.report(
         "unknown-reference",
         f"{where} names the group '{name}', which does not exist; {IGNORES}",
         element,
@@ -225,7 +225,7 @@ def _check_circles(groups: dict[str, Element], context: CheckContext) -> None:
                 circle = [*gone[gone.index(below) :], below]
                 if len(circle) > MOST_SHOWN:
                     circle = [*circle[: MOST_SHOWN // 2], "…", *circle[-MOST_SHOWN // 2 :]]
-                context.warn(
+                context.report(
                     "joint-cycle",
                     f"the group '{below}' contains itself: {' → '.join(circle)}",
                     groups[below],
@@ -250,7 +250,7 @@ def _check_state(
             rule = Value(count=virtual.get(name) or 1)
             check_value(joint, rule, f"'{name}' of {where}", context, attribute="value")
     if not any(True for _ in children(state, "joint")):
-        context.warn(
+        context.report(
             "missing-element",
             f"{where} has no joint, so it says nothing",
             state,
@@ -275,7 +275,7 @@ def _check_pair(
     if not all(links):
         return
     if links[0] == links[1]:
-        context.warn(
+        context.report(
             "bad-value",
             f"'{pair.name}' names the link '{links[0]}' twice; no link collides with itself",
             pair,
@@ -288,7 +288,7 @@ def _check_pair(
     if first is None:
         pairs[key] = pair
     else:
-        context.warn(
+        context.report(
             "repeated-element",
             f"'{pair.name}' of '{links[0]}' and '{links[1]}' is given twice",
             pair,
@@ -310,7 +310,7 @@ def _check_spheres(holder: Element, where: str, context: CheckContext) -> None:
 
 def findings_against(root: Element, robot: Robot, reporter: Reporter) -> None:
     """Report what an SRDF says of links and joints that the robot does not have."""
-    context = CheckContext(root, reporter)
+    context = CheckContext(root, reporter, is_advice=True)
     _check_robot_name(root, robot, context)
     virtual = {named(each) for each in children(root, "virtual_joint")}
     joints = [*robot.joints, *virtual]
@@ -344,7 +344,7 @@ def findings_against(root: Element, robot: Robot, reporter: Reporter) -> None:
 def _check_robot_name(root: Element, robot: Robot, context: CheckContext) -> None:
     name = named(root)
     if name and robot.name and name != robot.name:
-        context.warn(
+        context.report(
             "unknown-reference",
             f"this SRDF is for the robot '{name}', but the robot is called '{robot.name}'",
             root,
@@ -365,7 +365,7 @@ def _check_name(
     if not name or name in known:
         return
     hint, fix = context.near(name, known, element.value_span(attribute))
-    context.warn(
+    context.report(
         "unknown-joint" if kind == "joint" else "unknown-reference",
         f"{where} names '{name}', which is not a {kind} of the robot; {IGNORES}",
         element,
@@ -380,7 +380,7 @@ def _check_chain(chain: Element, robot: Robot, where: str, context: CheckContext
         _check_name(chain, end, robot.links, "link", where, context)
     base, tip = ((attribute_text(chain, end) or "").strip() for end in ("base_link", "tip_link"))
     if base in robot.links and tip in robot.links and base != tip and _is_above(tip, base, robot):
-        context.warn(
+        context.report(
             "reversed-chain",
             f"the chain of {where} begins at '{base}', which is below its end '{tip}'",
             chain,
@@ -455,7 +455,7 @@ def _check_positions(
         if joint is None:
             continue
         if is_fixed(joint):
-            context.warn(
+            context.report(
                 "fixed-joint",
                 f"{where} moves the joint '{name}', which is fixed",
                 value,
@@ -464,7 +464,7 @@ def _check_positions(
             )
             continue
         if group in members and name not in members[group]:
-            context.warn(
+            context.report(
                 "unknown-joint",
                 f"{where} moves the joint '{name}', which is not in the group '{group}'; {IGNORES}",
                 value,
@@ -476,7 +476,7 @@ def _check_positions(
             continue
         lower, upper = joint.limit.number("lower") or 0.0, joint.limit.number("upper") or 0.0
         if lower <= upper and not lower - TOLERANCE <= row[0] <= upper + TOLERANCE:
-            context.warn(
+            context.report(
                 "state-outside-limit",
                 f"the position {shown(row[0])} of '{name}' in {where} is outside of its limits, "
                 f"{shown(lower)} and {shown(upper)}",
@@ -494,7 +494,7 @@ def _check_end_effector(
     parent = (attribute_text(element, "parent_link") or "").strip()
     group = groups.get(name)
     if group is not None and parent in {named(link) for link in children(group, "link")}:
-        context.warn(
+        context.report(
             "unknown-reference",
             f"{where} is on '{parent}', which is a link of its own group '{name}'",
             element,
@@ -509,7 +509,7 @@ def _check_attached(
     """Report a virtual joint that is not on the root: MoveIt skips it."""
     child = (attribute_text(element, "child_link") or "").strip()
     if child in robot.links and roots and child not in roots:
-        context.warn(
+        context.report(
             "unknown-reference",
             f"{where} is on '{child}', but only the root '{roots[0]}' can be attached to the "
             f"world; {IGNORES}",

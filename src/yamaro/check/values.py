@@ -72,7 +72,7 @@ def check_value(
         return ()
     if rule.kind == TRUTH:
         if text.lower() not in truths:
-            context.warn(
+            context.report(
                 "bad-value",
                 f"{where} is {_quoted(text)}, which is neither true nor false",
                 element,
@@ -96,7 +96,7 @@ def report_word(
     """Report a word that is not among those known."""
     known = sorted(words)
     hint, fix = context.near(text, known, span)
-    context.warn(
+    context.report(
         "unknown-type",
         f"{where} is {_quoted(text)}, {result}",
         element,
@@ -112,7 +112,7 @@ def _check_numbers(
     row = numbers(text)
     if row is None or (rule.kind == INTEGER and not all(n.is_integer() for n in row)):
         what = "a whole number" if rule.kind == INTEGER else "a number"
-        context.warn(
+        context.report(
             "not-a-number",
             f"{where} is '{text}', which is not {what}" if text else f"{where} is empty",
             element,
@@ -122,7 +122,7 @@ def _check_numbers(
         return ()
     count = _count(rule, element)
     if len(row) != count and not (rule.kind == COLOR and len(row) == 3):
-        context.warn(
+        context.report(
             "wrong-count",
             f"{where} has {len(row)} number{'s' if len(row) != 1 else ''} instead of {count}",
             element,
@@ -156,7 +156,7 @@ def _report_range(
         hint = f"write a number from {shown(rule.least)} to {shown(rule.most)}"
     else:
         hint = f"write a number of at least {shown(rule.least)}"
-    context.warn(code, what, element, span=span, hint=hint)
+    context.report(code, what, element, span=span, hint=hint)
 
 
 def numbers(text: str) -> tuple[float, ...] | None:
@@ -182,7 +182,7 @@ def check_order(
     """
     element, where, number = lower
     if number > upper:
-        context.warn(
+        context.report(
             "limit-order",
             f"{where} ({shown(number)}) is greater than '{name}' ({shown(upper)})",
             element,
@@ -210,7 +210,7 @@ def check_required(
             continue
         is_whole = False
         state = "has no" if text is None else "has an empty"
-        context.warn(
+        context.report(
             "missing-attribute",
             f"{where} {state} '{attribute}'; {result}",
             element,
@@ -252,7 +252,7 @@ class Names:
             if place.key() == own.key()
             else f"first used at {place.place()}"
         )
-        context.warn(
+        context.report(
             "repeated-name",
             f"there are two {self._kinds} named '{name}'; {self._result}",
             element,

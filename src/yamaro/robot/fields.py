@@ -449,9 +449,9 @@ def _warn_of_key(lowering: Lowering, child: Element, place: PartPlace, hint: str
     hint = f"{hint} (<{name}>: is always an element)"
     if hint.startswith("did you mean"):
         fix = _fix_of_key(child.span, name, place)
-        lowering.warn("unknown-key", message, child.span, hint=hint, trace=child.trace, fix=fix)
+        lowering.report("unknown-key", message, child.span, hint=hint, trace=child.trace, fix=fix)
     else:
-        lowering.warn("misplaced-key", message, child.span, hint=hint, trace=child.trace)
+        lowering.report("misplaced-key", message, child.span, hint=hint, trace=child.trace)
 
 
 def _warning_hint(name: str, place: PartPlace) -> str | None:

@@ -372,7 +372,7 @@ def _warn(lowering: Lowering, robot: Robot, loop: Loop, distance: float, angle: 
     where = f"in the state '{HOME}'" if HOME in robot.states else "with all joints at 0"
     size = [f"{distance:.3g} m"] if distance > LARGEST_GAP else []
     size += [f"{angle:.3g} rad"] if angle > LARGEST_GAP else []
-    lowering.warn(
+    lowering.report(
         "open-loop",
         f"the loop '{loop.name}' is open by {' and '.join(size)} {where}",
         loop.span,

@@ -278,7 +278,7 @@ def _refuse_urdf_form(lowering: Lowering, key: Element) -> None:
 
 
 def _warn_of_capsule(lowering: Lowering, key: Element, span: Span) -> None:
-    lowering.warn(
+    lowering.report(
         "capsule-needs-urdf-1.1",
         "the shape 'capsule' needs URDF 1.1, which this robot does not declare: urdfdom (ROS, "
         "RViz, MoveIt) and pinocchio ignore the shape, yourdfpy rejects it",

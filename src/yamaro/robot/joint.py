@@ -272,7 +272,7 @@ def _assume_limits(
         span = joint_type.key_span
         children.append(Element("limit", span, attributes=assumed, trace=key.trace))
     filled = " ".join(f"{name}={format_value(value)}" for name, value in assumed.items())
-    lowering.warn(
+    lowering.report(
         "assumed-limit",
         f"the {joint_type.name} joint '{joint}' needs a limit; assumed {filled}",
         span,

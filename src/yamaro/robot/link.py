@@ -170,7 +170,7 @@ def _warn_of_unused(lowering: Lowering, geometry: LinkGeometry) -> None:
     key = geometry.key or next(iter(geometry.sizes), None)
     if key is None:
         return
-    lowering.warn(
+    lowering.report(
         "unused-geometry",
         f"no section of this link uses its '{key.name}'",
         key.span,

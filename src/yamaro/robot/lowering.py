@@ -206,7 +206,7 @@ class Lowering:
                 self._reported.add(key)
                 self.errors.append(diagnostic)
 
-    def warn(
+    def report(
         self,
         code: str,
         message: str,
@@ -216,9 +216,9 @@ class Lowering:
         trace: Frame | None,
         fix: Fix | None = None,
     ) -> None:
-        """Report a warning; see `Diagnostic`."""
+        """Report what does not prevent a document; see `Diagnostic`."""
         self.reports += 1
-        self.reporter.warn(code, message, span, hint=hint, trace=trace, fix=fix)
+        self.reporter.report(code, message, span, hint=hint, trace=trace, fix=fix)
 
     def once(self, key: Element, lower: Callable[[Lowering, Element], Element]) -> Element:
         """Return what `lower` makes of a key: where the key has a memo, the same in every place.

@@ -311,7 +311,7 @@ class _Image:
 
     def _warn_of_poses(self, element: Element) -> None:
         if holds_pose(element):
-            self.lowering.warn(
+            self.lowering.report(
                 "mirror-raw",
                 f"<{element.name}> contains a pose, which is copied unchanged",
                 element.span,
@@ -343,7 +343,7 @@ class _Image:
             reverse(joint)
         else:
             set_axis(joint, image)
-            self.lowering.warn(
+            self.lowering.report(
                 "mirror-axis",
                 f"the axis of '{name}' is tilted to the plane, so that of its image is {image}",
                 joint.span,

@@ -209,7 +209,7 @@ def lower_nodes(lowering: Lowering, nodes: list[Node]) -> list[Node]:
 
 
 def _warn_of_place(lowering: Lowering, owner: Element, part: Element) -> None:
-    lowering.warn(
+    lowering.report(
         "misplaced-part",
         f"this part is inside <{owner.name}>, where URDF parsers do not look for links and joints",
         part.span,
@@ -465,7 +465,7 @@ def _warn_if_ambiguous(
     for link in robot.elements():
         if link.name == "link" and link.attributes.get("name") == link_name:
             if link.span.source is source:
-                lowering.warn(
+                lowering.report(
                     "ambiguous-parent",
                     f"'{name}' is a link, which is the parent, and also a part, whose link is "
                     f"'{link_name}'",

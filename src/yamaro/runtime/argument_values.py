@@ -208,7 +208,7 @@ def warn_of_own_prefix(
     """Warn of an `attach` whose `prefix` may be meant for the argument of that name."""
     is_passed = any(argument.name == "prefix" for argument in node.arguments)
     if "prefix" in names and not is_passed:
-        reporter.warn(
+        reporter.report(
             "prefix-not-passed",
             f"'{source.name}' has an argument 'prefix', and the `prefix` of `attach` is not passed "
             "to it",

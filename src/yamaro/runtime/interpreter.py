@@ -303,7 +303,7 @@ class Interpreter:
             and isinstance(value, Function)
             and earlier.node.span.key() != value.node.span.key()
         ):
-            self.reporter.warn(
+            self.reporter.report(
                 "function-replaced",
                 f"the function '{key[:-2]}' replaces another function of that name",
                 span,

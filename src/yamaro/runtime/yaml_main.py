@@ -139,7 +139,7 @@ def warn_of_unread(places: Mapping[str, Span], files: Files, reporter: Reporter)
 
             span = places[name]
             hint, fix = meant(name, _variables(known), span)
-            reporter.warn(
+            reporter.report(
                 "unknown-variable",
                 f"nothing in the program declares or reads the variable '{name}'",
                 span,
@@ -170,7 +170,7 @@ def warn_of_unread_includes(includes: Iterable[Passed], files: Files, reporter: 
             hint, fix = meant(name, _variables(known | read - _ALWAYS_KNOWN), argument.span)
             if hint is None and name == "prefix":
                 hint = PREFIX_HINT
-            reporter.warn(
+            reporter.report(
                 "unknown-variable",
                 f"nothing in '{document.source.name}' declares or reads the variable '{name}'",
                 argument.span,

@@ -99,7 +99,7 @@ class ParseContext:
         """Keep the diagnostics of an error."""
         self.errors.extend(error.diagnostics)
 
-    def warn(
+    def report(
         self,
         code: str,
         message: str,
@@ -108,5 +108,5 @@ class ParseContext:
         hint: str | None = None,
         fix: Fix | None = None,
     ) -> None:
-        """Keep a warning."""
-        self.reporter.warn(code, message, span, hint=hint, fix=fix)
+        """Keep a finding that does not prevent a document."""
+        self.reporter.report(code, message, span, hint=hint, fix=fix)

@@ -78,7 +78,7 @@ def _parse_process(key: ScalarNode, node: YamlNode, context: ParseContext) -> Pr
             hint="write process: | and the statements, indented, on the lines below",
         )
     if node.anchor is not None:
-        context.warn(
+        context.report(
             "anchored-expression",
             f"'&{node.anchor}' is a YAML anchor here, not a part of the statement",
             node.anchor_span(),

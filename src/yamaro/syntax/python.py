@@ -455,7 +455,7 @@ def _warn_of_xacro(node: ScalarNode, index: int, context: ParseContext) -> None:
     if close >= 0 and not {"{", "("} & set(inner):
         edits = [Edit(node.span(index, index + 2), "$("), Edit(node.span(close, close + 1), ")")]
         fix = Fix(f"write $({inner})", edits)
-    context.warn(
+    context.report(
         "xacro-syntax",
         "'${' is xacro syntax and is not evaluated here",
         node.span(index, index + 2),

@@ -703,7 +703,7 @@ def warn_of_misspelt_statement(key: ScalarNode, node: YamlNode, context: ParseCo
     if word in _LOOK_MISSPELT:
         return
     if word == "import":
-        context.warn(
+        context.report(
             "misspelt-statement",
             "'import' creates an XML element here; modules are imported at the root of the file",
             key.span(),
@@ -718,7 +718,7 @@ def warn_of_misspelt_statement(key: ScalarNode, node: YamlNode, context: ParseCo
     if near in ("include", "variables", "functions", "process") or inside & telling:
         from ..fixes import respelling
 
-        context.warn(
+        context.report(
             "misspelt-statement",
             f"'{word}' creates an XML element; did you mean the statement `{near}`?",
             key.span(),
@@ -754,7 +754,7 @@ def warn_of_miscased_calls(
             from ..fixes import respelling
 
             span = span.span() if isinstance(span, ScalarNode) else span
-            reporter.warn(
+            reporter.report(
                 "misspelt-statement",
                 f"'{word}' creates an XML element; did you mean the function `{function.name}`?",
                 span,

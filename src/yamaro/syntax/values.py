@@ -310,7 +310,7 @@ def warn_of_hidden_value(node: ScalarNode, context: ParseContext) -> None:
 
     hidden = text[at:end].rstrip()
     span = Span(node.source, at, at + len(hidden))
-    context.warn(
+    context.report(
         "hidden-value",
         f"'{hidden}' is a YAML comment, so the value is empty",
         span,
@@ -326,7 +326,7 @@ def _warn_of_missing_space(key: ScalarNode, value: YamlNode, context: ParseConte
     if is_missing and key.style == PLAIN and name.isidentifier() and rest:
         from ..fixes import replacement
 
-        context.warn(
+        context.report(
             "hidden-value",
             f"'{key.text}' is a YAML key with an empty value",
             key.span(),
@@ -426,7 +426,7 @@ def parse_bare_expression(node: ScalarNode, context: ParseContext) -> PythonCode
         YamaroError: it is not an expression.
     """
     if node.anchor is not None:
-        context.warn(
+        context.report(
             "anchored-expression",
             f"'&{node.anchor}' is a YAML anchor here, not a part of the expression",
             node.anchor_span(),
@@ -439,7 +439,7 @@ def parse_bare_expression(node: ScalarNode, context: ParseContext) -> PythonCode
         return parse_expression(node, start, text.rindex(")"), context)
     meaning, quoted = expression_without_dollars(text)
     for index in quoted:
-        context.warn(
+        context.report(
             "dollar-in-string",
             "$( inside a string of an expression is plain text",
             node.span(index, index + 2),

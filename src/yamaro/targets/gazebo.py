@@ -62,7 +62,7 @@ def _surfaces(robot: Robot, reporter: Reporter) -> list[Element]:
     for surface in robot.surfaces:
         known = first.setdefault(surface.link, surface)
         if known.values() != surface.values():
-            reporter.warn(
+            reporter.report(
                 "several-surfaces",
                 f"the collisions of the link '{surface.link}' have several surfaces, and Gazebo "
                 "reads one for a link",

@@ -307,7 +307,7 @@ class XacroEvaluator:
         if kind == "message":
             self.host.say(text, self._here())
         else:
-            self.warn("xacro-message", text)
+            self.report("xacro-message", text)
 
     def tell_location(self) -> None:
         """Show which macros and files led here."""
@@ -326,18 +326,20 @@ class XacroEvaluator:
         """Warn of a name that is going out of use."""
         from ..fixes import respelling
 
-        self.warn(
+        self.report(
             "xacro-deprecated",
             f"{name}() is going out of use",
             hint=f"write {replacement}()",
             fix=respelling(self._here(), name, replacement),
         )
 
-    def warn(
+    def report(
         self, code: str, message: str, hint: str | None = None, fix: Fix | None = None
     ) -> None:
-        """Warn at the place being evaluated."""
-        self.reporter.warn(code, message, self._here(), hint=hint, trace=self.place.trace, fix=fix)
+        """Report at the place being evaluated what does not prevent a document."""
+        self.reporter.report(
+            code, message, self._here(), hint=hint, trace=self.place.trace, fix=fix
+        )
 
 
 def _similar(name: str, scope: Scope) -> str | None:

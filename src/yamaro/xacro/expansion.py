@@ -79,7 +79,7 @@ def expand(
     known = evaluator.arguments.used
     for name, span in (places or {}).items():
         if name not in known:
-            reporter.warn(
+            reporter.report(
                 "unknown-variable",
                 f"'{os.path.basename(source.name)}' has no argument '{name}'",
                 span,
@@ -319,7 +319,7 @@ def _attribute(expansion: Expansion, node: Element, site: Site) -> None:
     place = expansion.place(node, "value")
     holder = site.holder
     if holder.name.startswith(PREFIX):
-        expansion.reporter.warn(
+        expansion.reporter.report(
             "xacro-lost",
             f"the attribute '{key}' is discarded, since <{holder.name}> is around it",
             node.span,
@@ -431,7 +431,7 @@ def _paths(expansion: Expansion, given: Include, site: Site) -> list[str]:
         return [path]
     paths = sorted(expansion.host.glob(path))
     if not paths:
-        expansion.reporter.warn(
+        expansion.reporter.report(
             "xacro-no-files",
             f"no file matches '{name}'",
             place.span(),

@@ -313,7 +313,7 @@ def define_property(expansion: Expansion, node: Element, site: Site) -> None:
 
 
 def _warn_of_scope(expansion: Expansion, name: str, node: Element) -> None:
-    expansion.reporter.warn(
+    expansion.reporter.report(
         "xacro-scope",
         f"the default of '{name}' is looked at in this scope only",
         node.value_span("scope"),
@@ -331,7 +331,7 @@ def assign(expansion: Expansion, scope: Scope, name: str, value: Any, place: Xac
 def warn_if_hiding(expansion: Expansion, name: str, place: XacroPlace) -> None:
     """Warn of a new name that all expressions know as something else."""
     if name in expansion.evaluator.names:
-        expansion.reporter.warn(
+        expansion.reporter.report(
             "xacro-redefined",
             f"'{name}' has a meaning in all expressions, which is hidden here",
             place.span(),
@@ -393,7 +393,7 @@ def _truth(
 def _remove(expansion: Expansion, name: str, given: Property, scope: Scope) -> None:
     scope.remove(name)
     if name in expansion.evaluator.names:
-        expansion.reporter.warn(
+        expansion.reporter.report(
             "xacro-redefined",
             f"'{name}' has a meaning in all expressions, which cannot be removed",
             given.element.value_span("name"),

@@ -98,7 +98,7 @@ class Statements:
         """Read `<xacro:include>`."""
         given = self.attributes(element, ("filename",), ("ns", "optional"))
         if element.elements():
-            self._reporter.warn(
+            self._reporter.report(
                 "xacro-ignored",
                 "what is in <xacro:include> is ignored",
                 element.elements()[0].span,
@@ -122,7 +122,7 @@ class Statements:
             )
         if name.startswith(PREFIX):
             name = name[len(PREFIX) :]
-            self._reporter.warn(
+            self._reporter.report(
                 "xacro-name",
                 f"the macro '{name}' is defined without 'xacro:' before its name",
                 element.value_span("name"),
@@ -143,7 +143,7 @@ class Statements:
         self.require(element, *required)
         for name in given:
             if name not in required and name not in optional and not name.startswith("xmlns:"):
-                self._reporter.warn(
+                self._reporter.report(
                     "xacro-unknown-attribute",
                     f"<{element.name}> has no attribute '{name}'",
                     element.name_span(name),

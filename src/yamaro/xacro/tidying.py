@@ -137,7 +137,7 @@ def lift_prefixes(expansion: Expansion, inner: Element, outer: Element) -> None:
         if old is None or old == value:
             outer.attributes[name] = value
             continue
-        expansion.reporter.warn(
+        expansion.reporter.report(
             "xacro-prefix",
             f"the prefix '{name[6:]}' means '{value}' here, and '{old}' around",
             inner.value_span(name),

@@ -170,7 +170,7 @@ def _warn_of_comments(source: Source, root: YamlNode, reporter: Reporter) -> Non
                     from ..fixes import replacement
 
                     span, entry = Span(source, at, at + len(word)), f"<{word[:-1]}>:"
-                    reporter.warn(
+                    reporter.report(
                         "comment-entry",
                         f"'{word}' is a YAML comment here, so this line has no effect",
                         span,
