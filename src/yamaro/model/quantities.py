@@ -5,6 +5,8 @@ The kinds are the words of `Field.kind` in `schema.py`. Loaded for the first num
 
 from __future__ import annotations
 
+from math import degrees
+
 from ..units import (
     ACCELERATION,
     ANGLE,
@@ -27,6 +29,7 @@ from .joint import PRISMATIC
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..units import Dimension
+    from .schema import Field
 
 DIMENSIONS: dict[str, Dimension] = {
     "number": NUMBER,
@@ -85,3 +88,30 @@ def unit_of(kind: str, joint_type: str = "") -> str:
     if dimension == NUMBER:
         return ""
     return si_of(dimension).replace("*", "·").replace("^2", "²").replace("^3", "³")
+
+
+def si_units_of(kind: str) -> tuple[str, ...]:
+    """Return the SI units of a kind: where a joint turns, and where it slides."""
+    units = (unit_of(kind), unit_of(kind, PRISMATIC))
+    return tuple([unit for unit in dict.fromkeys(units) if unit])
+
+
+def default_of(field: Field) -> str:
+    """Return the default of a field as YAML has it, angles in degrees; "" if it has none."""
+    default = field.default
+    if default is None or isinstance(default, str):
+        return default or ""
+    numbers = default if isinstance(default, tuple) else (default,)
+    if field.kind == "angle":
+        return " ".join(f"{degrees(number):g}deg" if number else "0" for number in numbers)
+    return " ".join(f"{number:.15g}" for number in numbers)
+
+
+def described(field: Field, *, has_default: bool = True) -> str:
+    """Return what a field is: "the position gain, in 1/s; 0 by default"."""
+    unit = " or ".join(si_units_of(field.kind))
+    text = f"{field.help}, in {unit}" if unit else field.help
+    if has_default and field.required:
+        return f"{text}; required"
+    default = default_of(field) if has_default else ""
+    return f"{text}; {default} by default" if default else text

@@ -53,7 +53,7 @@ class Field:
         reversal: how it changes where the positions of its joint count the other way: it is KEPT,
             NEGATED, or changes places, negated, with the field of this name.
         choices: the words that it may be, if only some may.
-        help: what the editor and the docs say of it.
+        help: what the editor and the docs say of it, beside its unit and default.
         example: a value, for hints.
         parts: what each of several numbers is, in words.
     """
@@ -221,14 +221,14 @@ _THINGS = (
     ),
     Thing(
         "mass",
-        Field("value", 1, "mass", required=True, default=0.0, help="the mass in kilograms",
+        Field("value", 1, "mass", required=True, default=0.0, help="the mass",
               example="1.0"),
     ),
     Thing(
         "inertia",
         *[
             Field(name, 1, "inertia", required=True, default=0.0,
-                  help="in kg·m², about the centre of mass",
+                  help="a moment or product of inertia about the centre of mass",
                   example="0.01" if name[1] == name[2] else "0")
             for name in MOMENTS
         ],
@@ -236,11 +236,10 @@ _THINGS = (
     Thing(
         "origin",
         Field("xyz", 3, "length", default=(0.0, 0.0, 0.0), example="0 0 1", parts="x y z",
-              help="the position x y z in metres; units such as `350mm` are allowed"),
+              help="the position x y z"),
         Field("rpy", 3, "angle", default=(0.0, 0.0, 0.0), example="0 0 1.57",
               parts="roll pitch yaw",
-              help="roll, pitch and yaw in radians, about fixed axes; units such as `90deg` are "
-              "allowed"),
+              help="roll, pitch and yaw about fixed axes"),
         Field("quat_xyzw", 4, example="0 0 0 1", parts="x y z w",
               help="the rotation as a quaternion; URDF 1.1"),
     ),
@@ -275,7 +274,7 @@ _THINGS = (
         "joint",
         _NAME,
         Field("type", TEXT, required=True, choices=JOINT_TYPES, example="fixed",
-              help="revolute, continuous, prismatic, fixed, floating or planar; required"),
+              help="revolute, continuous, prismatic, fixed, floating or planar"),
         children=dict.fromkeys(
             ("origin", "parent", "child", "axis", "calibration", "dynamics", "limit", "mimic",
              "safety_controller"),
@@ -298,35 +297,35 @@ _THINGS = (
     Thing(
         "limit",
         Field("lower", 1, "position", default=0.0, reversal="upper", example="-1.57",
-              help="the least position, in radians or metres"),
+              help="the least position"),
         Field("upper", 1, "position", default=0.0, reversal="lower", example="1.57",
-              help="the greatest position, in radians or metres"),
+              help="the greatest position"),
         Field("effort", 1, "effort", sign=NOT_NEGATIVE, required=True, example="10",
-              help="the greatest torque or force, in N·m or N"),
+              help="the greatest torque or force"),
         Field("velocity", 1, "velocity", sign=NOT_NEGATIVE, required=True, example="2",
-              help="the greatest speed, in rad/s or m/s"),
+              help="the greatest speed"),
         Field("acceleration", 1, "acceleration of a joint", sign=NOT_NEGATIVE, example="5",
-              help="the greatest acceleration; URDF 1.2"),
+              help="the greatest acceleration (URDF 1.2)"),
         Field("deceleration", 1, "acceleration of a joint", sign=NOT_NEGATIVE, example="5",
-              help="the greatest deceleration; URDF 1.2"),
+              help="the greatest deceleration (URDF 1.2)"),
         Field("jerk", 1, "jerk", sign=NOT_NEGATIVE, example="50",
-              help="the greatest jerk; URDF 1.2"),
+              help="the greatest jerk (URDF 1.2)"),
     ),
     Thing(
         "dynamics",
         Field("damping", 1, "damping", sign=NOT_NEGATIVE, default=0.0, example="0.1",
-              help="in N·m·s/rad, or N·s/m"),
+              help="the viscous friction"),
         Field("friction", 1, "effort", sign=NOT_NEGATIVE, default=0.0, example="0.1",
-              help="static friction, in N·m or N"),
+              help="the static friction"),
     ),
     Thing(
         "mimic",
         Field("joint", TEXT, required=True, example="left_finger_joint",
               help="the joint, or part, that is followed"),
         Field("multiplier", 1, "ratio", default=1.0, example="-1",
-              help="position = multiplier · position of the other + offset; 1 by default"),
+              help="position = multiplier · position of the other + offset"),
         Field("offset", 1, "position", default=0.0, example="0.1",
-              help="in radians or metres; 0 by default"),
+              help="what is added to the position"),
         scalar="joint",
     ),
     Thing(
@@ -337,7 +336,7 @@ _THINGS = (
               example="1.5", help="where the upper limit of the controller begins"),
         Field("k_position", 1, "rate", default=0.0, example="15", help="the position gain"),
         Field("k_velocity", 1, "damping", required=True, default=0.0, example="10",
-              help="the velocity gain; required"),
+              help="the velocity gain"),
     ),
     Thing(
         "calibration",
@@ -369,7 +368,7 @@ ACTUATOR = Thing(
     Field("kp", 1, "stiffness", sign=NOT_NEGATIVE, example="50", help="the position gain"),
     Field("kd", 1, "damping", sign=NOT_NEGATIVE, example="2", help="the velocity gain"),
     Field("armature", 1, "armature", sign=NOT_NEGATIVE, example="0.01",
-          help="the inertia of the rotor at the joint, in kg·m² or kg"),
+          help="the inertia of the rotor at the joint"),
     Field("gear", 1, sign=NOT_ZERO, default=1.0, example="50", help="the gear ratio"),
 )  # fmt: skip
 
@@ -381,9 +380,9 @@ SURFACE = Thing(
     Field("restitution", 1, sign=PART, example="0.5",
           help="how much of the speed is kept at a bounce, from 0 to 1"),
     Field("stiffness", 1, "contact stiffness", sign=NOT_NEGATIVE, example="100000",
-          help="the stiffness of the contact, in N/m"),
+          help="the stiffness of the contact"),
     Field("damping", 1, "contact damping", sign=NOT_NEGATIVE, example="10",
-          help="the damping of the contact, in N·s/m"),
+          help="the damping of the contact"),
 )  # fmt: skip
 
 SENSOR = Thing(
@@ -392,7 +391,7 @@ SENSOR = Thing(
           help="imu, lidar, camera, depth_camera, gps, contact, magnetometer, range; or "
           "force_torque in a joint"),
     Field("rate", 1, "frequency", sign=NOT_NEGATIVE, example="30",
-          help="measurements per second, in Hz"),
+          help="measurements per second"),
     Field("noise", 1, sign=NOT_NEGATIVE, example="0.01", help="the standard deviation"),
     Field("topic", TEXT, example="scan", help="the topic of the measurements"),
 )  # fmt: skip
@@ -400,7 +399,7 @@ SENSOR = Thing(
 
 _IMAGE = (
     Field("size", 2, "pixels", sign=WHOLE, default=(640.0, 480.0), example="640 480",
-          help="width and height of the image, in pixels"),
+          help="width and height of the image"),
     Field("fov", 1, "angle", sign=NOT_NEGATIVE, default=pi / 3, example="1.05",
           help="the horizontal field of view"),
     Field("clip", 2, "length", sign=NOT_NEGATIVE, default=(0.05, 100.0), example="0.05 100",
@@ -413,14 +412,14 @@ LINK_SENSORS = {
     "lidar": Thing(
         "lidar",
         Field("rays", 1, sign=WHOLE, default=360.0, example="720",
-              help="the rays of a lidar in a row"),
+              help="the rays in a row"),
         Field("angle", 1, "angle", sign=NOT_NEGATIVE, default=tau, example="6.28",
-              help="the angle that a lidar sees"),
+              help="the angle that it sees"),
         Field("range", 2, "length", sign=NOT_NEGATIVE, default=(0.1, 10.0), example="0.1 12",
               help=_RANGE_HELP),
-        Field("rows", 1, sign=WHOLE, default=1.0, example="16", help="the rows of a lidar"),
+        Field("rows", 1, sign=WHOLE, default=1.0, example="16", help="the rows of rays"),
         Field("tilt", 1, "angle", sign=NOT_NEGATIVE, default=0.0, example="0.5",
-              help="the angle between the rows of a lidar"),
+              help="the vertical angle that the rows cover"),
     ),
     "camera": Thing("camera", *_IMAGE),
     "depth_camera": Thing("depth_camera", *_IMAGE),
@@ -445,9 +444,9 @@ LOOP = Thing(
     "loop",
     Field("name", TEXT, required=True, help="the name of the joint that closes the loop"),
     Field("type", TEXT, required=True, choices=("fixed", "ball", "revolute"),
-          help="fixed, revolute or ball"),
+          help="fixed, ball or revolute"),
     Field("between", TEXT, required=True, help="two links or frames"),
-    Field("axis", 3, help="the axis of a revolute joint", example="0 0 1"),
+    Field("axis", 3, default=(1.0, 0.0, 0.0), help="the axis of a revolute joint", example="0 0 1"),
 )  # fmt: skip
 
 GROUP = Thing(
@@ -457,7 +456,7 @@ GROUP = Thing(
     Field("joints", TEXT, help="names of joints"),
     Field("groups", TEXT, help="names of other groups"),
     Field("parent", TEXT, help="the link that an end effector is joined to"),
-    Field("end_effector", TEXT, choices=("true", "false"),
+    Field("end_effector", TEXT, choices=("true", "false"), default="false",
           help="whether the group is an end effector"),
 )  # fmt: skip
 
@@ -472,15 +471,17 @@ COLLISIONS = Thing(
 
 CONTROL = Thing(
     "control",
-    Field("name", TEXT, help="the name of the block; by default the robot's"),
+    Field("name", TEXT, help="the name of the block; by default that of the robot"),
     Field("type", TEXT, choices=("system", "actuator", "sensor"), default="system",
-          help="system (the default), actuator or sensor"),
-    Field("plugin", TEXT, required=True, help="the hardware plugin; required"),
-    Field("joints", TEXT, help="names or patterns of joints; by default those with an actuator"),
-    Field("sensors", TEXT, help="names or patterns of sensors"),
+          help="system, actuator or sensor"),
+    Field("plugin", TEXT, required=True, help="the hardware plugin"),
+    Field("joints", TEXT, help="names, or patterns such as `left_*`, of joints or parts; by "
+          "default those with an actuator, but none with `type: sensor`"),
+    Field("sensors", TEXT, help="names or patterns of sensors; by default all of the types `imu` "
+          "and `force_torque`"),
     Field("params", TEXT, help="parameters of the hardware"),
     Field("gpio", TEXT, help="`NAME: {command: […], state: […]}`"),
-    Field("transmissions", TEXT, choices=("true", "false"),
+    Field("transmissions", TEXT, choices=("true", "false"), default="false",
           help="whether to add a simple transmission for each joint"),
     Field("state", TEXT, help="the state that gives the initial values"),
 )  # fmt: skip

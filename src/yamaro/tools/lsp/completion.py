@@ -11,6 +11,7 @@ import os
 import re
 
 from ...diagnostics import Reporter
+from ...model.schema import ELEMENTS, RECORDS
 from ...model.shapes import SIZES
 from ...sandbox.deep_stack import run_on_deep_stack
 from ...source import Source
@@ -54,10 +55,10 @@ _FUNCTION, _FIELD, _VARIABLE, _MODULE, _PROPERTY = 3, 5, 6, 9, 10
 _VALUE, _ENUM, _KEYWORD, _SNIPPET, _FILE, _REFERENCE = 12, 13, 14, 15, 17, 18
 _FOLDER, _CONSTANT = 19, 21
 _WITH_BODY = frozenset(
-    "model variables functions arguments part joint link visual collision inertial limit dynamics "
-    "safety_controller calibration material frame sensor actuator surface attach mirror loop "
-    "control states groups collisions naming body else input".split()
-)
+    "model variables functions arguments part joint link visual collision inertial material frame "
+    "sensor actuator surface attach mirror loop control states groups collisions naming body else "
+    "input".split()
+).union(name for name in RECORDS if ELEMENTS[name].scalar is None)
 _SNIPPETS = {
     ("statement", "part"): "part:\n    name: ${1:name}\n    joint: {type: ${2:fixed}, "
     "parent: ${3:base}, xyz: ${4:0 0 0}}\n    link:\n      $0",
@@ -150,16 +151,12 @@ class Items:
 
     def add_elements(self, element: str) -> None:
         """Add the XML elements that URDF has in an element."""
-        from ...model.schema import ELEMENTS
-
         rule = ELEMENTS.get(element)
         for name in rule.children if rule is not None else ():
             self.add(name, _FIELD, text=self._key(name), detail="XML element", rank="7")
 
     def add_attributes(self, element: str) -> None:
         """Add the attributes of an XML element."""
-        from ...model.schema import ELEMENTS
-
         rule = ELEMENTS.get(element)
         names = list(rule.fields) if rule is not None else ["name"]
         for name in names:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from ...model.schema import AXES, ELEMENTS, RECORDS, SENSOR, SENSORS, WORDS
+from ...model.quantities import described, unit_of
+from ...model.schema import AXES, ELEMENTS, MOMENTS, RECORDS, SENSOR, SENSORS, WORDS
 from ...model.shapes import SIMPLE_SHAPES
 from ...source import Span
 from ...yaml.nodes import MappingNode, ScalarNode, SequenceNode
@@ -134,10 +135,7 @@ _OF_ROOT = {
 }
 _INNER = {
     "part": {"joint": "joint", "link": "link"},
-    "joint": {
-        word: word
-        for word in ("limit", "dynamics", "mimic", "safety_controller", "calibration", "actuator")
-    },
+    "joint": {word: word for word in (*RECORDS, "actuator") if word != "axis"},
     "link": {word: word for word in ("visual", "collision", "inertial", "frame")},
     "visual": {"material": "material"},
     "collision": {"material": "material", "surface": "surface"},
@@ -248,28 +246,52 @@ def _element(word: str) -> Place:
 # --- the manual: a line on each word ----------------------------------------------------------
 
 
+def _about(element: str, field: str) -> str:
+    """Return the help of a field of an element of URDF, with its unit."""
+    return described(ELEMENTS[element].fields[field], has_default=False)
+
+
+def _fields(thing: Thing) -> dict[str, str]:
+    """Return the fields of a thing, each with its help; limits that are left out are assumed."""
+    has_default = thing.name != "limit"
+    return {name: described(field, has_default=has_default) for name, field in thing.fields.items()}
+
+
+def _listed(thing: Thing) -> str:
+    return ", ".join(thing.fields)
+
+
 _POSE = {
-    **{name: ELEMENTS["origin"].fields[name].help for name in ("xyz", "rpy")},
+    "xyz": f"{_about('origin', 'xyz')}; units such as `350mm` are allowed",
+    "rpy": f"{_about('origin', 'rpy')}; units such as `90deg` are allowed",
     "pivot": "the point, in the rotated axes, that is placed at `xyz`",
 }
 _ORIGIN = {"origin": "the pose as attributes: `{xyz: 0 0 1, rpy: 0 0 0}`"}
 _SIZES = {
-    "geometry": "the shape: box, cylinder, sphere, capsule, or a mesh file",
-    "size": "the lengths of a box's sides, x y z",
-    "radius": "the radius of a cylinder, sphere or capsule",
-    "length": "the length of a cylinder, or of the cylinder in a capsule",
+    "geometry": f"the shape: {', '.join(SIMPLE_SHAPES)}, or a mesh file",
+    "size": _about("box", "size"),
+    "radius": _about("cylinder", "radius"),
+    "length": _about("cylinder", "length"),
     "scale": "the size of the shape as one row, or the factors of a mesh",
 }
-_MASS = {"mass": "the mass in kilograms", "density": "kilograms per cubic metre"}
+_MASS = {"mass": _about("mass", "value"), "density": "the density, in kg/m³"}
 _BODY = {"body": "the statements"}
 
 
-def _fields(thing: Thing) -> dict[str, str]:
-    """Return the fields of a thing, each with its help."""
-    return {name: field.help for name, field in thing.fields.items()}
+def _of_sensors() -> dict[str, str]:
+    """Return the fields of all types of sensors; of which type it is where they differ."""
+    found: dict[str, dict[str, str]] = {}
+    for thing in SENSORS.values():
+        for name, text in _fields(thing).items():
+            found.setdefault(name, {}).setdefault(text, thing.name)
+    return {
+        name: "; ".join(
+            f"{text} ({kind})" if len(texts) > 1 else text for text, kind in texts.items()
+        )
+        for name, texts in found.items()
+    }
 
 
-_SENSOR = {name: about for each in SENSORS.values() for name, about in _fields(each).items()}
 MANUAL: dict[str, dict[str, str]] = {
     **{name: _fields(ELEMENTS[name]) for name in RECORDS if name != "axis"},
     **{name: _fields(thing) for name, thing in WORDS.items()},
@@ -314,18 +336,15 @@ MANUAL: dict[str, dict[str, str]] = {
         "link": "the link: shape, mass, sections; without it the link is empty",
     },
     "joint": {
-        "type": ELEMENTS["joint"].fields["type"].help,
+        "type": described(ELEMENTS["joint"].fields["type"]),
         "parent": "the name of a link, or of a part, whose link is meant; required",
         "child": "the name of the child link; by default that of the part",
         **_POSE,
         **_ORIGIN,
-        "axis": ELEMENTS["axis"].fields["xyz"].help,
-        "limit": "lower, upper, effort and velocity",
-        "dynamics": "damping and friction",
-        "mimic": "the joint that this one follows: `joint`, `multiplier`, `offset`",
-        "safety_controller": "k_velocity, k_position, soft_lower_limit, soft_upper_limit",
-        "calibration": "rising, falling, reference_position",
-        "actuator": "what drives the joint: command, gains, armature",
+        "axis": _about("axis", "xyz"),
+        **{name: _listed(ELEMENTS[name]) for name in RECORDS if name != "axis"},
+        "mimic": f"the joint that this one follows: {_listed(ELEMENTS['mimic'])}",
+        "actuator": f"what drives the joint: {_listed(WORDS['actuator'])}",
         "sensor": "a force-torque sensor: `sensor/name=wrist: {type: force_torque}`",
     },
     "link": {
@@ -344,29 +363,34 @@ MANUAL: dict[str, dict[str, str]] = {
         **_POSE,
         **_ORIGIN,
         "material": "a material: its name, or `{name: …, color: …, texture: …}`",
-        "color": "red, green, blue and alpha, from 0 to 1",
+        "color": _about("color", "rgba"),
     },
     "collision": {
         **_SIZES,
         **_POSE,
         **_ORIGIN,
         "material": "a material, which some parsers read here",
-        "surface": "friction, restitution, stiffness and damping",
+        "surface": _listed(WORDS["surface"]),
     },
     "inertial": {
         **_MASS,
-        "inertia": "ixx ixy ixz iyy iyz izz in kg·m²; computed by default",
+        "inertia": f"{' '.join(MOMENTS)}, in {unit_of('inertia')}; computed by default",
         **_SIZES,
         **_POSE,
         **_ORIGIN,
     },
     "material": {
         **_fields(ELEMENTS["material"]),
-        "color": ELEMENTS["color"].fields["rgba"].help,
-        "texture": ELEMENTS["texture"].fields["filename"].help,
+        "color": _about("color", "rgba"),
+        "texture": _about("texture", "filename"),
     },
     "frame": dict(_POSE),
-    "sensor": {**_fields(SENSOR), **_POSE, "frame": "the frame that it measures in", **_SENSOR},
+    "sensor": {
+        **_fields(SENSOR),
+        **_POSE,
+        "frame": "the frame that it measures in",
+        **_of_sensors(),
+    },
     "variables": {},
     "functions": {},
     "function": {
