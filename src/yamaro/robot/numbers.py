@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import isfinite
 
 from ..diagnostics import YamaroError, failure
-from ..model.schema import MOMENTS
+from ..model.schema import ELEMENTS, MOMENTS
 from ..model.shapes import SIMPLE_SHAPES
 from ..source import Span
 from ..xml.values import (
@@ -32,24 +32,6 @@ DECIMALS = 13
 
 MAX_SHOWN = 40
 """Characters of a value shown in a message."""
-
-LAYOUTS = {
-    "xyz": "x y z, in metres",
-    "rpy": "roll pitch yaw, in radians",
-    "pivot": "x y z, in metres",
-    "axis": "x y z",
-    "rgba": "red green blue alpha, each from 0 to 1",
-    "inertia": f"{' '.join(MOMENTS)}, in kg·m²",
-    **{
-        f"scale of a {kind}": f"{' '.join(shape.sizes)}, in metres"
-        for kind, shape in SIMPLE_SHAPES.items()
-        if len(shape.sizes) > 1
-    },
-    "scale of a sphere": "its radius, in metres",
-    "size of a box": "x y z, in metres",
-    "scale of a mesh": "a factor for x, y and z",
-}
-"""What the numbers of a key are, for hints."""
 
 
 class Numbers:
@@ -106,7 +88,7 @@ def read_numbers(
             numbers.
         span: where the value is written.
         count: how many numbers it takes.
-        name: what takes them, for messages: a key, or one of LAYOUTS.
+        name: what takes them, for messages: a key, or what `layout_of` knows.
         trace: the calls and includes that led here.
         kind: what the numbers are: a word of the tables in `quantities.py`, which also say it for
             the keys of parts; by default plain numbers, which take no unit.
@@ -270,6 +252,26 @@ def _spell(item: object, number: float) -> str:
 # --- errors -----------------------------------------------------------------------------------
 
 
+def layout_of(name: str) -> str:
+    """Return what the numbers of a key are, for hints: "x y z, in metres"; "" for others."""
+    origin = ELEMENTS["origin"].fields
+    xyz, rpy, rgba = origin["xyz"], origin["rpy"], ELEMENTS["color"].fields["rgba"]
+    kind = name.removeprefix("scale of a ")
+    if name != kind and kind in SIMPLE_SHAPES:
+        sizes = SIMPLE_SHAPES[kind].sizes
+        return f"{' '.join(sizes) if len(sizes) > 1 else f'its {sizes[0]}'}, in metres"
+    return {
+        "xyz": f"{xyz.parts}, in metres",
+        "rpy": f"{rpy.parts}, in radians",
+        "pivot": f"{xyz.parts}, in metres",
+        "axis": ELEMENTS["axis"].fields["xyz"].parts,
+        "rgba": f"{rgba.parts}, each from 0 to 1",
+        "inertia": f"{' '.join(MOMENTS)}, in kg·m²",
+        "size of a box": f"{ELEMENTS['box'].fields['size'].parts}, in metres",
+        "scale of a mesh": "a factor for x, y and z",
+    }.get(name, "")
+
+
 def _shown(item: object) -> str:
     text = "None" if item is None else format_value(item)
     return text if len(text) <= MAX_SHOWN else text[: MAX_SHOWN - 1] + "…"
@@ -323,7 +325,7 @@ def _not_a_number(
 
 
 def _general_hint(name: str) -> str:
-    return f"{label_of(name)} takes {LAYOUTS.get(name, 'a number, such as 1.0')}"
+    return f"{label_of(name)} takes {layout_of(name) or 'a number, such as 1.0'}"
 
 
 def _word_hint(word: str, name: str, span: Span) -> str:
@@ -353,7 +355,8 @@ def _wrong_count(
     given = len(words)
     plural = "number" if count == 1 else "numbers"
     verb = "is" if given == 1 else "are"
-    hint = f"write {LAYOUTS[name]}" if name in LAYOUTS else None
+    layout = layout_of(name)
+    hint = f"write {layout}" if layout else None
     if name == "rgba" and given == 3:
         hint = f"add the opacity: {' '.join(words)} 1"
     elif name == "scale of a mesh" and given == 1:
