@@ -1,0 +1,52 @@
+"""The tables of values in the docs are those of the schema, the units and the table of losses."""
+
+from __future__ import annotations
+
+import importlib.util
+import re
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+
+from yamaro.model.schema import ACTUATOR, ELEMENTS, RECORDS, SENSORS, SURFACE, WORDS
+
+REPOSITORY = Path(__file__).parents[1]
+DOCS = REPOSITORY / "docs"
+
+
+@pytest.fixture(scope="module")
+def script() -> ModuleType:
+    path = REPOSITORY / "scripts" / "schema_tables.py"
+    spec = importlib.util.spec_from_file_location("schema_tables", path)
+    assert spec is not None and spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def test_the_tables_are_up_to_date(script: ModuleType) -> None:
+    stale = [str(p) for p, text in script.written().items() if p.read_text("utf-8") != text]
+    assert not stale, f"run python scripts/schema_tables.py for {stale}"
+
+
+def test_each_table_is_in_a_page(script: ModuleType) -> None:
+    pages = [path.read_text(encoding="utf-8") for path in DOCS.glob("*.md")]
+    marks = {found[2] for page in pages for found in script.BLOCK.finditer(page)}
+    assert marks == set(script.TABLES)
+    assert all(page.count("<!-- schema: ") == page.count("<!-- end of schema") for page in pages)
+
+
+@pytest.mark.parametrize("page", ["language.md", "cheat-sheet.md"])
+def test_each_entry_of_a_word_is_in_a_table(page: str) -> None:
+    text = (DOCS / page).read_text(encoding="utf-8")
+    words = set(re.findall(r"`(\w+)`", "\n".join(re.findall(r"^\|.*", text, re.MULTILINE))))
+    things = [*WORDS.values(), *SENSORS.values(), *map(ELEMENTS.__getitem__, RECORDS[1:])]
+    assert not {name for thing in things for name in thing.fields} - words
+
+
+def test_the_api_has_the_values_of_the_schema() -> None:
+    text = (DOCS / "api.md").read_text(encoding="utf-8")
+    things = [ACTUATOR, SURFACE, *SENSORS.values(), *map(ELEMENTS.__getitem__, RECORDS[1:])]
+    missing = {name for thing in things for name in thing.fields if f"`{name}`" not in text}
+    assert not missing
