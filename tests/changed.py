@@ -56,7 +56,7 @@ ELSEWHERE = {
     "tests/hostile/": ("tests/test_hostile.py", "tests/test_hostile_escapes.py"),
     "web/playground/": ("tests/playground",),
     "web/site/": ("tests/site",),
-    "web/src/": ("tests/tools/view", "tests/tools/notebook"),
+    "web/src/": ("tests/tools/view",),
 }
 
 

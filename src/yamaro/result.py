@@ -182,7 +182,7 @@ class Build(Public):
         warnings = f", {count} warning{'' if count == 1 else 's'}" if count else ""
         return f"<Build{source}: {self.format}{warnings}>"
 
-    def _repr_html_(self) -> str:
+    def _repr_html_(self) -> str | None:
         """Return what a notebook shows: the robot in 3D, or the text of another document."""
         return html_of(self)
 

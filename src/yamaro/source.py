@@ -231,12 +231,18 @@ def holds_xml(path: str, data: bytes | str) -> bool:
     return start.startswith("<") and not start.partition(">")[2].startswith(":")
 
 
-def html_of(result: object) -> str:
-    """Return the HTML that shows a `Build` or `Robot` in a notebook.
+def html_of(result: object) -> str | None:
+    """Return the HTML that shows a `Build` or `Robot` in a notebook, or None if no tool makes it.
 
-    A tool makes it, which results lie below, and may not import: so it is named here.
+    Results lie below the tools, and may not import one: the tool is found by its module `notebook`.
     """
     from importlib import import_module
+    from importlib.util import find_spec
+    from pkgutil import iter_modules
 
-    show: Callable[[object], str] = import_module("yamaro.tools.view.notebook").html_of
-    return show(result)
+    for tool in iter_modules(import_module("yamaro.tools").__path__):
+        module = f"yamaro.tools.{tool.name}.notebook"
+        if find_spec(module) is not None:
+            show: Callable[[object], str] = import_module(module).html_of
+            return show(result)
+    return None

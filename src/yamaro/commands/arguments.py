@@ -44,6 +44,13 @@ class Arguments:
         self.lists: dict[str, list[str]] = {}
         self.output_path = ""
 
+    @property
+    def known_command(self) -> Command:
+        """What is known of the command."""
+        command = command_named(self.command)
+        assert command is not None, self.command
+        return command
+
     def has(self, option: str) -> bool:
         """Return whether an option is given."""
         return option in self.options
@@ -162,9 +169,7 @@ def _check_options(arguments: Arguments) -> None:
     from .option_table import options_of
 
     command = arguments.command
-    found = command_named(command)
-    assert found is not None, command
-    options = {option.name: option for option in options_of(found)}
+    options = {option.name: option for option in options_of(arguments.known_command)}
     for name in arguments.options:
         if name not in options:
             usage = "yamaro FILE" if command == BUILD else f"yamaro {command}"
@@ -178,8 +183,7 @@ def _check_options(arguments: Arguments) -> None:
 def _check_arguments(arguments: Arguments) -> None:
     if arguments.options:
         _check_options(arguments)
-    command = command_named(arguments.command)
-    assert command is not None, arguments.command
+    command = arguments.known_command
     if command.words and command.counts_words:
         check_words(arguments, command)
 
@@ -227,8 +231,7 @@ def make_policy(arguments: Arguments, *, looks: bool = False) -> Policy:
 
     modes = {"trust": TRUSTED, "jail": JAIL, "safe": SAFE}
     mode = next((modes[name] for name in modes if arguments.has(name)), None)
-    command = command_named(arguments.command)
-    looks = mode is None and (looks or (command is not None and command.looks))
+    looks = mode is None and (looks or arguments.known_command.looks)
     allowed = arguments.lists.get("allow-path", [])
     if allowed and not looks and mode in (None, TRUSTED):
         raise WrongUsage("'--allow-path' needs --jail or --safe")
@@ -329,8 +332,7 @@ def read_packages(arguments: Arguments) -> dict[str, str]:
 
 def output_of(arguments: Arguments) -> str | None:
     """Return the file that the XML is written to, None for standard output."""
-    is_xml = arguments.command in (BUILD, "watch")
-    if not is_xml or goes_to_standard_output(arguments):
+    if not arguments.known_command.writes_document or goes_to_standard_output(arguments):
         return None
     if arguments.has("to") and not arguments.has("deps"):
         from .formats import path_for_build
@@ -345,16 +347,12 @@ def targets_of(arguments: Arguments) -> AllOptions:
     Raises:
         WrongUsage: a format is unknown, or options do not go together.
     """
-    if arguments.has("to") or arguments.command == "why":
+    if (targets := arguments.known_command.targets) is not None:
+        return targets(arguments)
+    if arguments.has("to"):
         from .formats import targets_in
 
-        return {**targets_in(arguments), "gazebo": arguments.has("gazebo")}
-    if arguments.command == "view":
-        return {
-            "base": arguments.options.get("base"),
-            "repair_inertia": arguments.has("repair-inertia"),
-            "sdf_version": arguments.options.get("sdf-version"),
-        }
+        return targets_in(arguments)
     for name in ("base", "repair-inertia", "sdf-version"):
         if arguments.has(name):
             raise WrongUsage(f"'--{name}' needs an output format, such as --to sdf")

@@ -8,8 +8,11 @@ from __future__ import annotations
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import Any
 
+    from ..options import AllOptions
+    from .arguments import Arguments
     from .option_table import Option
 
 
@@ -32,11 +35,14 @@ class Command:
         place: where it is in the help, among the others.
         options: of a command of a tool: its options, those that other commands have too by name.
         help_of: what such an option does here, by its name, if that is something else.
+        writes_document: whether `-o` names the file of the document itself.
+        targets: what its builds write, if that is not for `--to` to say.
     """
 
     __slots__ = (
         "about", "counts_words", "endings", "examples", "forms", "help_of", "looks", "name",
-        "needs", "options", "place", "second", "summary", "takes_several", "words",
+        "needs", "options", "place", "second", "summary", "takes_several", "targets", "words",
+        "writes_document",
     )  # fmt: skip
 
     def __init__(
@@ -57,6 +63,8 @@ class Command:
         place: int = 0,
         options: tuple[str | Option, ...] = (),
         help_of: dict[str, str] | None = None,
+        writes_document: bool = False,
+        targets: Callable[[Arguments], AllOptions] | None = None,
     ) -> None:
         """Describe a command."""
         self.name = name
@@ -74,6 +82,8 @@ class Command:
         self.place = place
         self.options = options
         self.help_of = help_of or {}
+        self.writes_document = writes_document
+        self.targets = targets
 
 
 BUILD = "build"
@@ -105,9 +115,10 @@ COMMANDS = {
                 "yamaro robot.urdf.xacro -o robot.urdf use_sim:=true",
                 "yamaro robot.yaml --to mjcf -o robot.xml",
                 "yamaro robot.urdf --to urdf,sdf,mjcf -o out/",
-                "yamaro check robot.yaml && yamaro tree robot.yaml",
+                "yamaro check robot.yaml && yamaro robot.yaml -o robot.urdf",
                 "generate_robot | yamaro -",
             ),
+            writes_document=True,
         ),
         Command(
             "check",

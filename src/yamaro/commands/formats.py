@@ -31,8 +31,6 @@ if TYPE_CHECKING:
     from ..streams import Streams
     from .arguments import Arguments
 
-SHAPES = ("visual", "collision", "geom", "mesh", "material")
-"""Words in an address that is about shapes."""
 START = 200
 """Characters in which a file that was generated says so."""
 
@@ -55,13 +53,6 @@ def targets_in(arguments: Arguments) -> AllOptions:
         WrongUsage: a format is unknown, or options do not go together.
     """
     formats = formats_in(arguments)
-    if arguments.command == "why":  # all formats whose documents show what is made of something
-        is_about_shapes = any(word in arguments.words[1] for word in SHAPES)
-        return {
-            "target": list(dict.fromkeys(["urdf", "sdf", "mjcf", *formats])),
-            "partial": True,
-            "meshes": "relative" if is_about_shapes else "none",  # reading them takes time
-        }
     if not formats:
         raise WrongUsage("'--to' needs output formats: " + ", ".join(ENDINGS))
     if "sdf" not in formats and arguments.has("sdf-version"):
@@ -72,6 +63,7 @@ def targets_in(arguments: Arguments) -> AllOptions:
         "repair_inertia": arguments.has("repair-inertia"),
         "sdf_version": arguments.options.get("sdf-version"),
         "meshes": arguments.options.get("meshes", "relative"),
+        "gazebo": arguments.has("gazebo"),
     }
     if arguments.command == "check" or arguments.has("deps"):
         return wanted

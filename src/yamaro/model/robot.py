@@ -332,7 +332,7 @@ class Robot(Written):
         """Return the XML that is written for one output format, such as `mjcf`."""
         return [each for each in self._more().raw if each.format == format]
 
-    def _repr_html_(self) -> str:
+    def _repr_html_(self) -> str | None:
         """Return what a notebook shows: the robot in 3D."""
         from ..source import html_of
 

@@ -10,8 +10,19 @@ from ...commands.reports import WrongUsage, quote, sayer, show
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ...commands.arguments import Arguments
+    from ...options import AllOptions
     from ...rebuilding import Rebuilder
     from ...streams import Streams
+
+
+def _downloads(arguments: Arguments) -> AllOptions:
+    """Return the options of a build from which downloads are written later."""
+    return {
+        "base": arguments.options.get("base"),
+        "repair_inertia": arguments.has("repair-inertia"),
+        "sdf_version": arguments.options.get("sdf-version"),
+    }
+
 
 COMMAND = Command(
     "view",
@@ -48,6 +59,7 @@ COMMAND = Command(
         "repair-inertia": ("balance inertia that no body can have in downloads"),
         "sdf-version": ("version of SDF in downloads: 1.11 (the default), 1.9 or 1.12"),
     },
+    targets=_downloads,
 )
 
 

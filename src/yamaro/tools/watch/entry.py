@@ -45,6 +45,7 @@ COMMAND = Command(
         *BUILDING[1:],
     ),
     help_of={"output": "the file to write, or a folder: out/"},
+    writes_document=True,
 )
 
 

@@ -10,8 +10,26 @@ from ...commands.reports import WrongUsage, has_color
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ...commands.arguments import Arguments
+    from ...options import AllOptions
     from ...result import Build
     from ...streams import Streams
+
+SHAPES = ("visual", "collision", "geom", "mesh", "material")
+"""Words in an address that is about shapes."""
+
+
+def _targets(arguments: Arguments) -> AllOptions:
+    """Return the options of a build in all formats that show what is made of something."""
+    from ...commands.formats import formats_in
+
+    is_about_shapes = any(word in arguments.words[1] for word in SHAPES)
+    return {
+        "target": list(dict.fromkeys(["urdf", "sdf", "mjcf", *formats_in(arguments)])),
+        "partial": True,
+        "meshes": "relative" if is_about_shapes else "none",  # reading them takes time
+        "gazebo": arguments.has("gazebo"),
+    }
+
 
 ADDRESS_WORD = ("ADDRESS", "elbow_joint/limit@upper, link:arm/visual[2], /gazebo[3] from the root")
 COMMAND = Command(
@@ -36,6 +54,7 @@ COMMAND = Command(
         "json": ("write the answer as JSON"),
         "to": ("look ADDRESS up in the document of that output format"),
     },
+    targets=_targets,
 )
 
 

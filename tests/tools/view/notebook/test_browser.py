@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import yamaro
-from tests.tools.notebook.conftest import Browser
+from tests.tools.view.notebook.conftest import Browser
 from tests.tools.view.test_page import reds, write_meshes
 from tests.waiting import wait_for
 

@@ -15,6 +15,13 @@ from tests.tools.view import chromium
 from tests.tools.view.chromium import Chromium
 
 
+def html_of(result: Any) -> str:
+    """Return what a notebook shows of a result."""
+    shown: str | None = result._repr_html_()
+    assert shown is not None
+    return shown
+
+
 class Frames(HTMLParser):
     """The tags of some HTML, and the pages in its frames."""
 
@@ -96,7 +103,7 @@ def page_of() -> Callable[[Any], str]:
     """Return the page in the frame that shows a result."""
 
     def page(result: Any) -> str:
-        found = Frames(result._repr_html_())
+        found = Frames(html_of(result))
         assert found.tags == ["iframe"]
         assert html.unescape(found.pages[0]) != ""
         return found.pages[0]

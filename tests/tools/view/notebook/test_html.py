@@ -16,7 +16,7 @@ from typing import Any
 import pytest
 
 import yamaro
-from tests.tools.notebook.conftest import Frames
+from tests.tools.view.notebook.conftest import Frames, html_of
 from yamaro.tools.view import notebook as page
 
 PageOf = Callable[[Any], str]
@@ -102,7 +102,7 @@ def test_the_page_names_no_folder_of_this_machine(robot: Path, page_of: PageOf) 
 
 def test_the_same_robot_gives_the_same_html(robot: Path) -> None:
     build = yamaro.build(robot)
-    assert build._repr_html_() == build._repr_html_() == build.robot._repr_html_()
+    assert html_of(build) == html_of(build) == html_of(build.robot)
 
 
 def test_meshes_that_are_too_large_are_left_out(
@@ -125,7 +125,7 @@ def test_a_robot_that_is_too_large_is_a_line_of_text(
     robot: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(page, "MOST_CHARACTERS", 1000)
-    shown = yamaro.build(robot)._repr_html_()
+    shown = html_of(yamaro.build(robot))
     assert Frames(shown).tags == ["p"]
     assert "'r'" in shown.replace("&#x27;", "'")
     assert "1 link, 0 moving joints" in shown
@@ -136,7 +136,7 @@ def test_another_document_is_text(tmp_path: Path) -> None:
     path = tmp_path / "launch.yaml"
     path.write_text("launch:\n  node/name=</pre><script>:\n", encoding="utf-8")
     build = yamaro.build(path)
-    shown = build._repr_html_()
+    shown = html_of(build)
     assert Frames(shown).tags == ["pre"]
     assert "node name=&quot;&amp;lt;/pre" in shown
     assert "&lt;launch&gt;" in shown
@@ -148,13 +148,13 @@ def test_a_long_document_is_cut(tmp_path: Path, monkeypatch: pytest.MonkeyPatch)
     path.write_text("launch:\n  node:\n", encoding="utf-8")
     build = yamaro.build(path)
     left = len(build.xml()) - 30
-    assert f"{left} more characters are not shown" in build._repr_html_()
+    assert f"{left} more characters are not shown" in html_of(build)
 
 
 def test_a_robot_whose_tree_stayed_in_a_jail_is_text(robot: Path) -> None:
     robot.write_text('<robot name="r"><link name="l"/></robot>', encoding="utf-8")
     build = yamaro.build(robot, policy=SAFE, has_root=False)
-    shown = build._repr_html_()
+    shown = html_of(build)
     assert Frames(shown).tags in (["iframe"], ["pre"])  # the latter where there is a jail
 
 
@@ -169,6 +169,6 @@ def test_no_exception_leaves_it(robot: Path, monkeypatch: pytest.MonkeyPatch) ->
 
     monkeypatch.setattr(page, "_static", fail)
     for result in (yamaro.build(robot), yamaro.Robot.from_urdf(robot)):
-        shown = result._repr_html_()
+        shown = html_of(result)
         assert Frames(shown).tags == ["p"]
         assert "MemoryError" in shown
