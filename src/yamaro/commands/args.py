@@ -23,7 +23,6 @@ from .reports import INPUT_ERROR, WrongUsage, deliver, show
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..declared_arguments import Listing
-    from ..policy import Policy
     from ..streams import Streams
     from .arguments import Arguments
 
@@ -45,36 +44,25 @@ def run(arguments: Arguments, streams: Streams) -> int:
         if policy.timeout is not None:
             end_process(arguments, streams, policy, policy.timeout)
     try:
-        listing = _listing(arguments, policy)
+        from ..declared_arguments import listing_of, listing_text
+        from ..files.loader import FileLoader
+        from ..request import finder_for, reach_of, read_main
+        from ..runtime.files import Library
+
+        path = arguments.words[0]
+        packages = read_packages(arguments)
+        reach = reach_of(path, policy, packages)
+        loader = FileLoader(policy.limits, reach)
+        source = read_main(path, read_pipe(path, policy), Library(loader))
+        finder = finder_for(path, reach, packages)
+        listing = listing_of(source, loader=loader, packages=finder, limits=policy.limits)
     except YamaroError as error:
         show(error.diagnostics, arguments, streams)
         return INPUT_ERROR
     except UsageError as error:
         raise WrongUsage(str(error)) from None
-    return deliver([_written(listing, arguments)], arguments, streams)
-
-
-def _listing(arguments: Arguments, policy: Policy) -> Listing:
-    from ..declared_arguments import listing_of
-    from ..files.loader import FileLoader
-    from ..request import finder_for, reach_of, read_main
-    from ..runtime.files import Library
-
-    path = arguments.words[0]
-    packages = read_packages(arguments)
-    reach = reach_of(path, policy, packages)
-    loader = FileLoader(policy.limits, reach)
-    source = read_main(path, read_pipe(path, policy), Library(loader))
-    finder = finder_for(path, reach, packages)
-    return listing_of(source, loader=loader, packages=finder, limits=policy.limits)
-
-
-def _written(listing: Listing, arguments: Arguments) -> str:
-    if arguments.has("json"):
-        return schema_text(listing)
-    from ..declared_arguments import listing_text
-
-    return listing_text(listing)
+    text = schema_text(listing) if arguments.has("json") else listing_text(listing)
+    return deliver([text], arguments, streams)
 
 
 # --- what may be passed to a file, as a JSON Schema (2020-12) ---------------------------------

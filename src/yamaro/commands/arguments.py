@@ -92,7 +92,11 @@ def parse_arguments(argv: Sequence[str]) -> Arguments:
             if pending:  # `yamaro --help check` is asked as well
                 _add_word(arguments, pending.pop(), is_plain=False)
             return arguments
-    _check_arguments(arguments)
+    if arguments.options:
+        _check_options(arguments)
+    command = arguments.known_command
+    if command.words and command.counts_words:
+        check_words(arguments, command)
     return arguments
 
 
@@ -178,14 +182,6 @@ def _check_options(arguments: Arguments) -> None:
         for other in option.excludes:
             if arguments.has(name) and arguments.has(other):
                 raise WrongUsage(f"'--{name}' and '--{other}' cannot be combined")
-
-
-def _check_arguments(arguments: Arguments) -> None:
-    if arguments.options:
-        _check_options(arguments)
-    command = arguments.known_command
-    if command.words and command.counts_words:
-        check_words(arguments, command)
 
 
 def check_words(arguments: Arguments, command: Command) -> None:

@@ -138,6 +138,10 @@ def json_report(files: Sequence[Checked]) -> str:
 
 
 def _diagnostic(diagnostic: Diagnostic) -> dict[str, Any]:
+    fix = None
+    if diagnostic.fix is not None:
+        edits = [{**_place(edit.span), "text": edit.text} for edit in diagnostic.fix.edits]
+        fix = {"title": diagnostic.fix.title, "safe": diagnostic.fix.is_safe, "edits": edits}
     return {
         "code": diagnostic.code,
         "severity": diagnostic.severity,
@@ -149,13 +153,8 @@ def _diagnostic(diagnostic: Diagnostic) -> dict[str, Any]:
             {"kind": step.kind, "name": step.name, **_place(step.span)}
             for step in steps_of(diagnostic.trace)
         ],
-        "fix": None if diagnostic.fix is None else _fix(diagnostic.fix),
+        "fix": fix,
     }
-
-
-def _fix(fix: Fix) -> dict[str, Any]:
-    edits = [{**_place(edit.span), "text": edit.text} for edit in fix.edits]
-    return {"title": fix.title, "safe": fix.is_safe, "edits": edits}
 
 
 def _place(span: Span) -> dict[str, Any]:
@@ -271,7 +270,8 @@ def _case(case: JUnitCase) -> list[str]:
     first = case.failures[0]  # some readers take no more than one
     text = "\n\n".join(failure.text or failure.message for failure in case.failures)
     opening = _attributes({"message": first.message, "type": first.kind})
-    lines.append(f"      <failure {opening}>{_text(text)}</failure>")
+    shown = escaped_text("\n".join(map(printable, text.split("\n"))))
+    lines.append(f"      <failure {opening}>{shown}</failure>")
     return [*lines, "    </testcase>"]
 
 
@@ -281,34 +281,29 @@ def _attributes(values: dict[str, object]) -> str:
     )
 
 
-def _text(text: str) -> str:
-    return escaped_text("\n".join(map(printable, text.split("\n"))))
-
-
 # --- commands of GitHub's workflows, which show findings in the changed files -----------------
 
 
 def github_report(files: Sequence[Checked]) -> str:
     """Return a line for each finding."""
-    return "".join(_line(each) + "\n" for _, each in each_once(files))
-
-
-def _line(diagnostic: Diagnostic) -> str:
-    line, column, end_line, end_column = region_of(diagnostic.span)
-    properties = {"file": path_of(diagnostic.span), "line": line, "endLine": end_line}
-    if line == end_line:  # GitHub takes columns within one line only
-        properties |= {"col": column, "endColumn": end_column}
-    properties["title"] = diagnostic.code
-    listed = ",".join(f"{name}={_property(str(value))}" for name, value in properties.items())
-    return f"::{diagnostic.severity} {listed}::{_data(message_of(diagnostic))}"
+    lines = []
+    for _, diagnostic in each_once(files):
+        line, column, end_line, end_column = region_of(diagnostic.span)
+        properties = {"file": path_of(diagnostic.span), "line": line, "endLine": end_line}
+        if line == end_line:  # GitHub takes columns within one line only
+            properties |= {"col": column, "endColumn": end_column}
+        properties["title"] = diagnostic.code
+        values = {
+            name: _data(str(value)).replace(":", "%3A").replace(",", "%2C")
+            for name, value in properties.items()
+        }
+        listed = ",".join(f"{name}={value}" for name, value in values.items())
+        lines.append(f"::{diagnostic.severity} {listed}::{_data(message_of(diagnostic))}\n")
+    return "".join(lines)
 
 
 def _data(text: str) -> str:
     return text.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
-
-
-def _property(text: str) -> str:
-    return _data(text).replace(":", "%3A").replace(",", "%2C")
 
 
 # --- JUnit: a suite for each file, a failed case for each code in it --------------------------
@@ -327,15 +322,13 @@ def _suite(checked: Checked) -> tuple[str, list[JUnitCase]]:
     codes: dict[str, list[Diagnostic]] = {}
     for diagnostic in checked.diagnostics:
         codes.setdefault(diagnostic.code, []).append(diagnostic)
-    return name, [
-        JUnitCase(code, group=name, failures=[_failure(code, found)])
-        for code, found in codes.items()
-    ]
-
-
-def _failure(code: str, found: Sequence[Diagnostic]) -> JUnitFailure:
-    more = f" (and {len(found) - 1} more)" if len(found) > 1 else ""
-    return JUnitFailure(code, found[0].message + more, "\n\n".join(render_all(found)))
+    cases = []
+    for code, found in codes.items():
+        more = f" (and {len(found) - 1} more)" if len(found) > 1 else ""
+        text = "\n\n".join(render_all(found))
+        failure = JUnitFailure(code, found[0].message + more, text)
+        cases.append(JUnitCase(code, group=name, failures=[failure]))
+    return name, cases
 
 
 # --- SARIF 2.1.0, which GitHub's code scanning and many editors read --------------------------
@@ -362,7 +355,7 @@ def sarif_report(files: Sequence[Checked], version: str) -> str:
         "tool": {"driver": driver},
         "columnKind": "unicodeCodePoints",
         "originalUriBaseIds": {ROOT: {"description": {"text": "the working directory"}}},
-        "artifacts": [_artifact(each.path) for each in files if each.path],
+        "artifacts": [{"location": file_uri(relative(each.path))} for each in files if each.path],
         "results": [
             _result(checked, diagnostic, codes.index(diagnostic.code), prints)
             for checked, diagnostic in found
@@ -389,10 +382,6 @@ def _rule(code: str) -> dict[str, Any]:
         "fullDescription": {"text": rules()[code].summary if described else short},
         "help": help,
     }
-
-
-def _artifact(path: str) -> dict[str, Any]:
-    return {"location": file_uri(relative(path))}
 
 
 def _result(

@@ -7,7 +7,7 @@ from ..files.loader import FileLoader, LoadError, decode
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Mapping, Sequence
+    from collections.abc import Callable, Iterable, Mapping
 
     from ..diagnostics import Diagnostic
     from ..fixes import Edit, Fix
@@ -71,7 +71,15 @@ class Fixing:
                 break
             self._apply(chosen)
             before, found = found, check(self.texts)
-            _make_sure(chosen, before, found)
+            # a fix has to remove its finding, and leave YAML
+            for diagnostic in chosen:
+                if _count(diagnostic, found) >= _count(diagnostic, before):
+                    fix: Fix | None = diagnostic.fix
+                    title = fix.title if fix is not None else ""
+                    raise FixingFailed(f"{diagnostic.span.place()}: '{title}' does not help")
+            was_read = not any(each.code.startswith("yaml-") for each in before)
+            if was_read and any(each.code.startswith("yaml-") for each in found):
+                raise FixingFailed(f"{chosen[0].span.place()}: the result would not be YAML")
         return found
 
     def data(self) -> dict[str, bytes]:
@@ -129,20 +137,6 @@ def _touch(one: Edit, other: Edit) -> bool:
     if one.span.source.path != other.span.source.path:
         return False
     return one.span.start <= other.span.end and other.span.start <= one.span.end
-
-
-def _make_sure(
-    chosen: Sequence[Diagnostic], before: Sequence[Diagnostic], after: Sequence[Diagnostic]
-) -> None:
-    """Raise FixingFailed if what was to be fixed is still found, or YAML was broken."""
-    for diagnostic in chosen:
-        if _count(diagnostic, after) >= _count(diagnostic, before):
-            fix: Fix | None = diagnostic.fix
-            title = fix.title if fix is not None else ""
-            raise FixingFailed(f"{diagnostic.span.place()}: '{title}' does not help")
-    was_read = not any(each.code.startswith("yaml-") for each in before)
-    if was_read and any(each.code.startswith("yaml-") for each in after):
-        raise FixingFailed(f"{chosen[0].span.place()}: the result would not be YAML")
 
 
 def _count(diagnostic: Diagnostic, found: Iterable[Diagnostic]) -> int:

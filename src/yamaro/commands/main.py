@@ -125,7 +125,15 @@ def _run_safely(argv: Sequence[str], stream_class: type[Streams]) -> int:
         arguments = parse_arguments(argv)
         streams = stream_class(quiet=arguments.has("quiet"))
         streams.divert()
-        return _run(arguments, streams)
+        if arguments.has("version"):
+            from .. import __version__
+
+            return deliver([f"yamaro {__version__}\n"], arguments, streams)
+        if arguments.has("help"):
+            from .option_table import help_of
+
+            return deliver([help_of(arguments.command)], arguments, streams)
+        return _command(arguments.command)(arguments, streams)
     except WrongUsage as error:
         return report_usage(str(error), streams)
     except ProgramEnded as error:
@@ -143,18 +151,6 @@ def _run_safely(argv: Sequence[str], stream_class: type[Streams]) -> int:
     finally:
         if streams is not None:
             streams.restore()
-
-
-def _run(arguments: Arguments, streams: Streams) -> int:
-    if arguments.has("version"):
-        from .. import __version__
-
-        return deliver([f"yamaro {__version__}\n"], arguments, streams)
-    if arguments.has("help"):
-        from .option_table import help_of
-
-        return deliver([help_of(arguments.command)], arguments, streams)
-    return _command(arguments.command)(arguments, streams)
 
 
 def _command(name: str) -> Run:

@@ -120,9 +120,17 @@ def report_usage(message: str, streams: Streams | None) -> int:
 
 def report_fault(error: Exception, streams: Streams) -> int:
     """Report a fault of Yamaro, not of the input; return the exit status."""
+    from ..confined import FaultInJail
     from ..terminal import shortened
 
-    kind, place = _kind_and_place(error)
+    kind, place = type(error).__name__, ""
+    if isinstance(error, FaultInJail):
+        kind, place = error.kind, error.place
+    elif (trace := error.__traceback__) is not None:
+        while trace.tb_next is not None:
+            trace = trace.tb_next
+        file_name = os.path.basename(trace.tb_frame.f_code.co_filename)
+        place = f"{file_name}:{trace.tb_lineno}"
     text = f"{kind}: {error}" + (f" ({place})" if place else "")
     streams.say(
         f"yamaro: internal error: {shortened(text)}\n"
@@ -133,21 +141,6 @@ def report_fault(error: Exception, streams: Streams) -> int:
 
         streams.say("".join(traceback.format_exception(error)).rstrip())
     return INTERNAL_ERROR
-
-
-def _kind_and_place(error: Exception) -> tuple[str, str]:
-    """Return the class of an exception and where it was raised, in a jail or here."""
-    from ..confined import FaultInJail
-
-    if isinstance(error, FaultInJail):
-        return error.kind, error.place
-    trace = error.__traceback__
-    while trace is not None and trace.tb_next is not None:
-        trace = trace.tb_next
-    if trace is None:
-        return type(error).__name__, ""
-    file_name = os.path.basename(trace.tb_frame.f_code.co_filename)
-    return type(error).__name__, f"{file_name}:{trace.tb_lineno}"
 
 
 # --- results ----------------------------------------------------------------------------------

@@ -24,7 +24,12 @@ def summary_of(document: Iterable[bytes]) -> str:
         size += len(chunk)
         parser.Parse(chunk, False)
     if counter.root != "robot":
-        return f"{counted(counter.elements, 'element')}, {_size_text(size)}"
+        amount, units = float(size), ["bytes", "kB", "MB", "GB"]
+        while amount >= 1000 and len(units) > 1:
+            amount /= 1000
+            del units[0]
+        shown = f"{amount:.3g} {units[0]}" if size >= 1000 else counted(size, "byte")
+        return f"{counted(counter.elements, 'element')}, {shown}"
     parts = [counted(counter.links, "link"), counted(counter.joints, "joint")]
     if counter.mass and isfinite(counter.mass):
         parts.append(mass_text(counter.mass))
@@ -66,15 +71,6 @@ class _Counter:
 
     def end(self, name: str) -> None:
         self._around.pop()
-
-
-def _size_text(size: int) -> str:
-    """Return a number of bytes with its unit."""
-    amount, units = float(size), ["bytes", "kB", "MB", "GB"]
-    while amount >= 1000 and len(units) > 1:
-        amount /= 1000
-        del units[0]
-    return f"{amount:.3g} {units[0]}" if units[0] != "bytes" else counted(size, "byte")
 
 
 def mass_text(mass: float) -> str:

@@ -108,7 +108,17 @@ class _Chart:
                 self._cell(row, column, across, up)
         self._head()
         if plotted.metric is not None:
-            self._scale()
+            metric = self._plotted.metric
+            assert metric is not None
+            height = min(len(self._plotted.up) * (CELL[1] + GAP) - GAP, LONGEST_BAR)
+            top = self._size[1] - TOP
+            left = LEFT + len(self._plotted.across) * (CELL[0] + GAP)
+            axes = self._axes(left, top - height, 0.13, height)
+            mappable = mpl.cm.ScalarMappable(self._norm, "viridis")
+            bar = self.figure.colorbar(mappable, cax=axes, extend="both")
+            bar.outline.set_visible(False)
+            bar.set_label(metric.label, fontsize=9)
+            axes.tick_params(length=2.5, width=0.8)
         if robots:
             self._robots(robots)
 
@@ -218,19 +228,6 @@ class _Chart:
             high = low + 1.0
         is_wide = low > 0 and high > 20 * low
         return values, LogNorm(low, high) if is_wide else Normalize(low, high)
-
-    def _scale(self) -> None:
-        metric = self._plotted.metric
-        assert metric is not None
-        height = min(len(self._plotted.up) * (CELL[1] + GAP) - GAP, LONGEST_BAR)
-        top = self._size[1] - TOP
-        left = LEFT + len(self._plotted.across) * (CELL[0] + GAP)
-        axes = self._axes(left, top - height, 0.13, height)
-        mappable = mpl.cm.ScalarMappable(self._norm, "viridis")
-        bar = self.figure.colorbar(mappable, cax=axes, extend="both")
-        bar.outline.set_visible(False)
-        bar.set_label(metric.label, fontsize=9)
-        axes.tick_params(length=2.5, width=0.8)
 
     def _robots(self, robots: Mapping[str, Image]) -> None:
         """Draw the variants that stand out, below the plots."""

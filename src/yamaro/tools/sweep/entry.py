@@ -200,16 +200,11 @@ def _sweep(arguments: Arguments, streams: Streams) -> int:
         began.clear()
     summary = Summary(arguments.output_path)
     if not streams.quiet:
-        streams.say("\n".join([*_head(status, folder), *summary.lines()]))
+        took = "all variants were built before"
+        if status.built:
+            took = f"{status.built:,} in {_duration(status.seconds)}, {status.rate:,.1f}/s"
+        streams.say("\n".join([f"{quote(folder)}: {took}", *summary.lines()]))
     return DONE if summary.counts["ok"] else INPUT_ERROR
-
-
-def _head(status: Status, folder: str) -> list[str]:
-    """Return what is said of the run itself."""
-    if not status.built:
-        return [f"{quote(folder)}: all variants were built before"]
-    took = f"{status.built:,} in {_duration(status.seconds)}, {status.rate:,.1f}/s"
-    return [f"{quote(folder)}: {took}"]
 
 
 class _Shown:

@@ -115,7 +115,19 @@ class Hook:
             raise
         except (Exception, SystemExit) as error:
             raise self._failed(error) from None
-        return self._checked(found)
+        if not isinstance(found, dict):
+            shown = shortened(repr(found))
+            message = f"'{self._name}' returned {shown}, which is not a dict"
+            hint = 'return names and numbers, as in {"speed": 0.4}'
+            raise failure("evaluate-result", message, self.place, hint=hint)
+        numbers: dict[str, Number | None] = {}
+        for name, value in found.items():
+            if not isinstance(name, str) or not name:
+                message = f"'{self._name}' returned a result named {shortened(repr(name))}"
+                hint = "the names of results are texts"
+                raise failure("evaluate-result", message, self.place, hint=hint)
+            numbers[name] = self._number(name, value)
+        return numbers
 
     def _load(self, span: Span | None) -> tuple[Callable[..., Any], ModuleType]:
         """Return the function and its module, loaded with the modules beside it.
@@ -160,22 +172,6 @@ class Hook:
                 hint = did_you_mean(parameter.name, PARAMETERS) or known
                 raise failure("bad-evaluate", message, self._place_of(function), hint=hint)
         return wanted
-
-    def _checked(self, found: object) -> dict[str, Number | None]:
-        """Return results as Python's numbers."""
-        if not isinstance(found, dict):
-            shown = shortened(repr(found))
-            message = f"'{self._name}' returned {shown}, which is not a dict"
-            hint = 'return names and numbers, as in {"speed": 0.4}'
-            raise failure("evaluate-result", message, self.place, hint=hint)
-        numbers: dict[str, Number | None] = {}
-        for name, value in found.items():
-            if not isinstance(name, str) or not name:
-                message = f"'{self._name}' returned a result named {shortened(repr(name))}"
-                hint = "the names of results are texts"
-                raise failure("evaluate-result", message, self.place, hint=hint)
-            numbers[name] = self._number(name, value)
-        return numbers
 
     def _number(self, name: str, value: object) -> Number | None:
         item = getattr(value, "item", None)

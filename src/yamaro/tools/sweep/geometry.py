@@ -171,7 +171,14 @@ class Chain:
                 continue
             if leader.name not in known:
                 known[leader.name] = len(self.variables)
-                self.variables.append(_variable(leader))
+                moving = Variable(leader)
+                if not moving.turns and max(abs(moving.lower), abs(moving.upper)) >= FARTHEST:
+                    raise metric_failure(
+                        f"the joint '{leader.name}' has no limits, so nothing is the farthest",
+                        leader.span,
+                        hint="give it a lower and an upper limit",
+                    )
+                self.variables.append(moving)
             variable = known[leader.name]
             if joint is not leader or any(step.variable == variable for step in self.steps):
                 self.variables[variable].is_plain = False
@@ -214,17 +221,6 @@ def _leader(robot: Robot, joint: Joint) -> tuple[Joint | None, float, float]:
     return (joint if joint.type in (REVOLUTE, CONTINUOUS, PRISMATIC) else None), factor, offset
 
 
-def _variable(joint: Joint) -> Variable:
-    variable = Variable(joint)
-    if not variable.turns and max(abs(variable.lower), abs(variable.upper)) >= FARTHEST:
-        raise metric_failure(
-            f"the joint '{joint.name}' has no limits, so nothing is the farthest",
-            joint.span,
-            hint="give it a lower and an upper limit",
-        )
-    return variable
-
-
 def tips_of(robot: Robot) -> list[str]:
     """Return the links and frames at the ends of a robot: those that no joint leads on from."""
     return [name for name in robot.links if not robot.joints_below(name)]
@@ -259,7 +255,24 @@ def chain_reach(chain: Chain) -> float:
     positions = _starts(len(chain.variables)) * np.diff(chain.limits, axis=0) + chain.limits[0]
     farthest = _farthest(chain, positions)
     for _ in range(MOST_ROUNDS if chain.variables else 0):
-        _improve(chain, positions)
+        points = np.broadcast_to(chain.tip, (len(positions), 3))
+        arms: list[Floats] = []
+        """Of each joint, where the tip is in the frame below it."""
+        for step in reversed(chain.steps):
+            arms.insert(0, points)
+            angles = step.factor * positions[:, step.variable] + step.offset
+            points = step.before(step.moved(points, angles))
+        root: Floats = np.zeros((len(positions), 3))
+        for step, arm in zip(chain.steps, arms, strict=True):
+            variable = chain.variables[step.variable]
+            root = step.after(root)  # the root as it is seen from the joint
+            if variable.is_plain:
+                positions[:, step.variable] = _best(step, variable, arm, root)
+            current = step.factor * positions[:, step.variable] + step.offset
+            root = step.moved(root, -current)
+        for index, variable in enumerate(chain.variables):
+            if not variable.is_plain:
+                positions[:, index] = _searched(chain, positions, index)
         before, farthest = farthest, _farthest(chain, positions)
         if farthest <= before * (1 + CLOSE):
             break
@@ -280,28 +293,6 @@ def _starts(count: int) -> Floats:
     """Return the positions that the search begins at, as parts of the ranges: always the same."""
     inner = np.random.Generator(np.random.Philox(0)).random((STARTS - 3, count))
     return np.vstack([np.zeros(count), np.full(count, 0.5), np.ones(count), inner])
-
-
-def _improve(chain: Chain, positions: Floats) -> None:
-    """Move each joint to where the tip is the farthest, from the root to the tip."""
-    points = np.broadcast_to(chain.tip, (len(positions), 3))
-    arms: list[Floats] = []
-    """Of each joint, where the tip is in the frame below it."""
-    for step in reversed(chain.steps):
-        arms.insert(0, points)
-        angles = step.factor * positions[:, step.variable] + step.offset
-        points = step.before(step.moved(points, angles))
-    root: Floats = np.zeros((len(positions), 3))
-    for step, arm in zip(chain.steps, arms, strict=True):
-        variable = chain.variables[step.variable]
-        root = step.after(root)  # the root as it is seen from the joint
-        if variable.is_plain:
-            positions[:, step.variable] = _best(step, variable, arm, root)
-        current = step.factor * positions[:, step.variable] + step.offset
-        root = step.moved(root, -current)
-    for index, variable in enumerate(chain.variables):
-        if not variable.is_plain:
-            positions[:, index] = _searched(chain, positions, index)
 
 
 def _best(step: Step, variable: Variable, arm: Floats, root: Floats) -> Floats:

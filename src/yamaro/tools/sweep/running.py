@@ -323,15 +323,6 @@ def chunk_size(plan: Plan, workers: int) -> int:
     Raises:
         YamaroError: no variant can be built.
     """
-    each = _seconds_of_one(plan)
-    size = USUAL_VARIANTS if each is None else round(CHUNK_SECONDS / max(each, 1e-6))
-    fair = -(-plan.samples // (4 * workers))
-    least = -(-plan.samples // MOST_CHUNKS)
-    return max(min(size, fair, MOST_VARIANTS), least, 1)
-
-
-def _seconds_of_one(plan: Plan) -> float | None:
-    """Return how long a variant takes, rejected ones included; None if those tried crash."""
     count = min(TRIED, plan.samples)
     found: list[float] = []
     child = Child(plan, "")
@@ -348,4 +339,8 @@ def _seconds_of_one(plan: Plan) -> float | None:
     finally:
         child.close()
     later = found[1:]  # the first one takes longer
-    return sum(later) / len(later) if later else None
+    each = sum(later) / len(later) if later else None
+    size = USUAL_VARIANTS if each is None else round(CHUNK_SECONDS / max(each, 1e-6))
+    fair = -(-plan.samples // (4 * workers))
+    least = -(-plan.samples // MOST_CHUNKS)
+    return max(min(size, fair, MOST_VARIANTS), least, 1)

@@ -197,7 +197,21 @@ def encoded(columns: Mapping[str, tuple[str, list[Any]]], ending: str) -> bytes:
         YamaroError: a package is missing.
     """
     if ending == CSV:
-        return _as_csv(columns)
+        text = io.StringIO(newline="")
+        writer = csv.writer(text, lineterminator="\n")
+        writer.writerow(columns)
+        writer.writerows(
+            [
+                ""
+                if value is None
+                else str(value).lower()
+                if isinstance(value, bool)
+                else str(value)
+                for value in row
+            ]
+            for row in zip(*(values for _, values in columns.values()), strict=True)
+        )
+        return text.getvalue().encode()
     arrow = import_extra("pyarrow")
     parquet = import_extra("pyarrow.parquet")
     types = {
@@ -210,20 +224,6 @@ def encoded(columns: Mapping[str, tuple[str, list[Any]]], ending: str) -> bytes:
         arrow.Table.from_arrays(arrays, names=list(columns)), file, compression="zstd"
     )
     return file.getvalue()
-
-
-def _as_csv(columns: Mapping[str, tuple[str, list[Any]]]) -> bytes:
-    file = io.StringIO(newline="")
-    writer = csv.writer(file, lineterminator="\n")
-    writer.writerow(columns)
-    writer.writerows(
-        [
-            "" if value is None else str(value).lower() if isinstance(value, bool) else str(value)
-            for value in row
-        ]
-        for row in zip(*(values for _, values in columns.values()), strict=True)
-    )
-    return file.getvalue().encode()
 
 
 def part_name(number: int, ending: str) -> str:

@@ -212,17 +212,15 @@ def _aligned(rows: list[list[str]]) -> list[str]:
         return []
     columns = zip(*rows, strict=True)
     widths = [min(max(map(width, column)), MAX_ALIGNED_WIDTH) for column in columns]
-    return [_joined(row, widths) for row in rows]
-
-
-def _joined(row: list[str], widths: list[int]) -> str:
-    """Return a row as text; the column of masses is set to the right."""
-    cells = []
-    for number, (cell, room) in enumerate(zip(row, widths, strict=True)):
-        if room:
-            pad = " " * (room - width(cell))
-            cells.append(pad + cell if number == 1 else cell + pad)
-    return "  ".join(cells).rstrip()
+    aligned = []
+    for row in rows:
+        cells = []
+        for number, (cell, room) in enumerate(zip(row, widths, strict=True)):
+            if room:
+                pad = " " * (room - width(cell))
+                cells.append(pad + cell if number == 1 else cell + pad)  # masses to the right
+        aligned.append("  ".join(cells).rstrip())
+    return aligned
 
 
 def _painted(line: Line, row: str) -> str:

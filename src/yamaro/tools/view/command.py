@@ -92,17 +92,14 @@ def _tell(
     turn: Turn, last: Turn | None, say: Callable[[str], None], show: Callable[[Turn], None]
 ) -> None:
     """Report the result of a build in a line; show what is wrong unless that was shown before."""
-    say(f"{time.strftime('%H:%M:%S')}  {_outcome(turn)}")
+    outcome = counted = count_told(turn.diagnostics)
+    if turn.build is not None:
+        outcome = f"built in {1000 * turn.seconds:.0f} ms" + (f", {counted}" if counted else "")
+    elif turn.fault:
+        outcome = shortened(turn.fault)
+    say(f"{time.strftime('%H:%M:%S')}  {outcome}")
     if not turn.is_told_as(last):
         show(turn)
-
-
-def _outcome(turn: Turn) -> str:
-    """Return the result of a build, in a few words."""
-    counted = count_told(turn.diagnostics)
-    if turn.build is None:
-        return shortened(turn.fault) if turn.fault else counted
-    return f"built in {1000 * turn.seconds:.0f} ms" + (f", {counted}" if counted else "")
 
 
 def open_browser(url: str, say: Callable[[str], None]) -> None:
@@ -196,6 +193,10 @@ class Editor:
         )
 
 
+_IN_TERMINAL = {"-nw", "-t", "-tty", "--tty", "--no-window-system"}
+"""Options with which Emacs opens no window of its own."""
+
+
 def find_editor(command: str | None, environ: Mapping[str, str]) -> Editor | None:
     """Return the editor to use, or None if there is none with a window of its own.
 
@@ -217,7 +218,7 @@ def find_editor(command: str | None, environ: Mapping[str, str]) -> Editor | Non
             words = shlex.split(environ.get(variable, ""))
         except ValueError:
             continue
-        if words and _program(words[0]) in _PLACE_FORMS and _has_window(words):
+        if words and _program(words[0]) in _PLACE_FORMS and _IN_TERMINAL.isdisjoint(words):
             return Editor(words)
     for name in SEARCHED:
         if find_program(name, environ.get("PATH", "")):
@@ -229,7 +230,3 @@ def _program(word: str) -> str:
     """Return what a program is called: its file's name, in lower case, without `.exe`."""
     name = os.path.basename(word).lower()
     return os.path.splitext(name)[0] if name.endswith((".exe", ".cmd", ".bat")) else name
-
-
-def _has_window(words: Sequence[str]) -> bool:
-    return not {"-nw", "-t", "-tty", "--tty", "--no-window-system"}.intersection(words)

@@ -13,7 +13,7 @@ from ...rendering import render, trace_lines
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Mapping, Sequence
+    from collections.abc import Iterable, Mapping, Sequence
 
     from ...diagnostics import Diagnostic, Frame
     from ...model.joint import Joint
@@ -82,9 +82,12 @@ class Owners:
         for owner in owners:
             kind = owner.element.name
             self._names.add((kind, owner.name))
-            for span, trace in _places_in(owner):
-                found = self._by_place.setdefault(span.key(), [])
-                found.append((trace_lines(trace), kind, owner.name))
+            for element in owner.element.iter():
+                trace = owner.trace if element.trace is INHERITED else element.trace
+                values = [element.value_span(attribute) for attribute in element.attributes]
+                for span in (element.span, *(each for each in values if each is not element.span)):
+                    found = self._by_place.setdefault(span.key(), [])
+                    found.append((trace_lines(trace), kind, owner.name))
 
     def of(self, diagnostic: Diagnostic) -> tuple[str, str] | None:
         """Return "link" or "joint" and its name; None if it is about neither, or about many.
@@ -101,17 +104,6 @@ class Owners:
             found = [each for each in found if each[0] == calls]
         owners = {(kind, name) for _, kind, name in found}
         return owners.pop() if len(owners) == 1 else None
-
-
-def _places_in(owner: Link | Joint) -> Iterator[tuple[Span, Frame | None]]:
-    """Yield the place of each element and attribute in a link or joint, with what led there."""
-    for element in owner.element.iter():
-        trace = owner.trace if element.trace is INHERITED else element.trace
-        yield element.span, trace
-        for attribute in element.attributes:
-            span = element.value_span(attribute)
-            if span is not element.span:
-                yield span, trace
 
 
 # --- description ------------------------------------------------------------------------------
@@ -149,7 +141,15 @@ class Description:
             },
         }
         warnings = (*build.warnings, *self._refused.values())
-        self.data["diagnostics"] = [self._diagnostic(each, owners) for each in warnings]
+        shown = []
+        for diagnostic in warnings:
+            told = diagnostic_data(diagnostic)
+            told["place"] = self.places.number(diagnostic.span)
+            owner = owners.of(diagnostic)
+            if owner is not None:
+                told[owner[0]] = owner[1]
+            shown.append(told)
+        self.data["diagnostics"] = shown
         self.data["places"] = self.places.texts
 
     def _link(self, link: Link) -> Json:
@@ -191,36 +191,23 @@ class Description:
         if path is not None:
             file = self._files.add(path)
             if file is not None:
-                self._warn_of_textures(element, path, file, trace)
+                if element.name == "texture" and "fault" in file:
+                    about = f"the texture '{filename}' cannot be shown: {file['fault']}"
+                    self._warn(element, trace, about)
+                for name in self._files.refused_by(path):
+                    texture = f"the texture '{name}', which has no format that is read"
+                    about = f"the mesh '{filename}' is shown without {texture}"
+                    self._warn(element, trace, about)
             return file
         meant = self._finder.path_meant(filename, span)
         if meant is not None:
             self.awaited.append(meant)
         return None
 
-    def _warn_of_textures(
-        self, element: Element, path: str, file: Json, trace: Frame | None
-    ) -> None:
-        """Warn of a texture that is not an image, or of those that a mesh names."""
-        filename = attribute_text(element, "filename")
-        if element.name == "texture" and "fault" in file:
-            self._warn(element, trace, f"the texture '{filename}' cannot be shown: {file['fault']}")
-        for name in self._files.refused_by(path):
-            texture = f"the texture '{name}', which has no format that is read"
-            self._warn(element, trace, f"the mesh '{filename}' is shown without {texture}")
-
     def _warn(self, element: Element, trace: Frame | None, message: str) -> None:
         span = element.value_span("filename")
         warning = Diagnostic("bad-mesh", message, span, severity=WARNING, trace=trace)
         self._refused.setdefault(message, warning)
-
-    def _diagnostic(self, diagnostic: Diagnostic, owners: Owners) -> Json:
-        told = diagnostic_data(diagnostic)
-        told["place"] = self.places.number(diagnostic.span)
-        owner = owners.of(diagnostic)
-        if owner is not None:
-            told[owner[0]] = owner[1]
-        return told
 
 
 def finite_positions(positions: Mapping[str, float]) -> Json:

@@ -73,8 +73,11 @@ def run(arguments: Arguments, streams: Streams) -> int:
 def _view(arguments: Arguments, streams: Streams, rebuilder: Rebuilder) -> None:
     from .command import ViewOptions, view
 
+    port = arguments.options.get("port", "0")
+    if not (port.isascii() and port.isdigit() and int(port) <= 65535):
+        raise WrongUsage(f"'--port' takes a number from 0 to 65535, not {quote(port)}")
     options = ViewOptions(
-        port=_read_port(arguments),
+        port=int(port),
         has_browser=not arguments.has("no-browser"),
         is_embedded=arguments.has("embed"),
         editor=arguments.options.get("editor"),
@@ -86,10 +89,3 @@ def _view(arguments: Arguments, streams: Streams, rebuilder: Rebuilder) -> None:
         show=lambda turn: show(turn.diagnostics, arguments, streams),
         tell_url=lambda url: streams.write_result([f"{url}\n"]),
     )
-
-
-def _read_port(arguments: Arguments) -> int:
-    text = arguments.options.get("port", "0")
-    if not (text.isascii() and text.isdigit() and int(text) <= 65535):
-        raise WrongUsage(f"'--port' takes a number from 0 to 65535, not {quote(text)}")
-    return int(text)

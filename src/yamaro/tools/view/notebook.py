@@ -131,7 +131,13 @@ class PageFiles:
         """
         self.packed: dict[str, dict[str, str]] = {}
         self._room = room
-        self._finder = robot.finder or _finder_of(robot)
+        if robot.finder is not None:
+            self._finder = robot.finder
+        else:  # it was not built: it may read what safe mode allows where it lies
+            start = robot.element.span.source.path or os.path.join(os.getcwd(), "robot.urdf")
+            reach = reach_of(start, Policy(SAFE), {})
+            folder = os.path.dirname(start)
+            self._finder = MeshFinder(finder_for(start, reach, {}), reach, start=folder)
         self._keys: dict[str, str] = {}  # in the page, by those of `_files`
         paths = [path for each in _elements(robot) if (path := self._path(each)[0]) is not None]
         reach = self._finder.reach
@@ -227,16 +233,6 @@ def _elements(robot: Robot) -> Iterator[Element]:
     yield from (each for each in found if each is not None)
 
 
-def _finder_of(robot: Robot) -> MeshFinder:
-    """Return what finds the files of a robot that was not built, as far as safe mode may read.
-
-    A robot that is in no file may read what one in the working directory may.
-    """
-    path = robot.element.span.source.path or os.path.join(os.getcwd(), "robot.urdf")
-    reach = reach_of(path, Policy(SAFE), {})
-    return MeshFinder(finder_for(path, reach, {}), reach, start=os.path.dirname(path))
-
-
 # --- what the page in a notebook has to know about a robot besides its URDF -------------------
 
 
@@ -253,9 +249,14 @@ def describe(robot: Robot, files: PageFiles) -> Json:
         }
         for name, link in robot.links.items()
     }
+    textures: Json = {}
+    for name, material in robot.materials.items():
+        texture = material.inner("texture")
+        if texture is not None and (file := _texture(texture, files)):
+            textures[name] = file
     return {
         "links": links,
-        "textures": _textures(robot, files),
+        "textures": textures,
         "states": {name: finite_positions(state.positions) for name, state in robot.states.items()},
         "summary": summary(robot),
     }
@@ -268,16 +269,6 @@ def _shape(section: Visual | Collision, files: PageFiles) -> Json:
         found["mesh"] = files.of(mesh)
     if texture is not None:
         found["texture"] = _texture(texture, files)
-    return found
-
-
-def _textures(robot: Robot, files: PageFiles) -> Json:
-    """Return the textures of materials by the materials' names."""
-    found: Json = {}
-    for name, material in robot.materials.items():
-        texture = material.inner("texture")
-        if texture is not None and (file := _texture(texture, files)):
-            found[name] = file
     return found
 
 

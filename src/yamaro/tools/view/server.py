@@ -272,8 +272,8 @@ class Handler(BaseHTTPRequestHandler):
     def _get(self, path: str) -> None:
         kind, _, rest = path.partition("/")
         if path in self.server.static:
-            data, content = self.server.static[path]
-            self._send(data, content)
+            data, content_type = self.server.static[path]
+            self._send(data, content_type)
         elif path == "state":
             self._send(self.server.session.state(), "application/json")
         elif path == "events":
@@ -281,7 +281,11 @@ class Handler(BaseHTTPRequestHandler):
         elif kind == "file":
             self._send_file(rest)
         elif kind == "download":
-            self._send_download(rest)
+            found = self.server.session.downloads.fetch(rest)
+            if found is None:
+                raise Refused(HTTPStatus.NOT_FOUND)
+            name, content = found
+            self._send(content, "application/octet-stream", name=name)
         else:
             raise Refused(HTTPStatus.NOT_FOUND)
 
@@ -312,13 +316,6 @@ class Handler(BaseHTTPRequestHandler):
                 missing -= len(chunk)
             if missing:  # it was cut short meanwhile; the client must not wait for the rest
                 self.close_connection = True
-
-    def _send_download(self, key: str) -> None:
-        found = self.server.session.downloads.fetch(key)
-        if found is None:
-            raise Refused(HTTPStatus.NOT_FOUND)
-        name, content = found
-        self._send(content, "application/octet-stream", name=name)
 
     # --- POST -----------------------------------------------------------------------------------
 

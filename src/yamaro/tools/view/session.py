@@ -236,21 +236,19 @@ class Session:
         """Return all that the page shows, as JSON."""
         with self._changed:
             if self._encoded[0] != self._version:
-                self._encoded = (self._version, json.dumps(self._state()).encode())
+                state = {
+                    "version": self._version,
+                    "robotVersion": self._robot_version,
+                    "file": self._path,
+                    "editor": self._editor,
+                    "milliseconds": round(1000 * self._seconds, 1),
+                    "robot": self._robot.data if self._robot is not None else None,
+                    "fault": self._fault,
+                    "variables": self._variables(),
+                    "hasMore": self._has_more,
+                }
+                self._encoded = (self._version, json.dumps(state).encode())
             return self._encoded[1]
-
-    def _state(self) -> Json:
-        return {
-            "version": self._version,
-            "robotVersion": self._robot_version,
-            "file": self._path,
-            "editor": self._editor,
-            "milliseconds": round(1000 * self._seconds, 1),
-            "robot": self._robot.data if self._robot is not None else None,
-            "fault": self._fault,
-            "variables": self._variables(),
-            "hasMore": self._has_more,
-        }
 
     def _variables(self) -> list[Json]:
         given = self._given()

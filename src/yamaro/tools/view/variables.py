@@ -343,12 +343,18 @@ class IncludedVariables:
         is_main = declared.span.source.path == self._main
         is_computed = declared.default_text is not None and not declared.has_value
         if given:
-            return f"set at {', '.join(map(_place_of, given))}"
+            places = [
+                f"{os.path.basename(span.source.path or span.source.name)}:{span.location()[0]}"
+                for span in given
+            ]
+            return f"set at {', '.join(places)}"
         if is_main and self._has_arguments:
             return f"{file} declares arguments, and a build takes no other names: declare it there"
         if is_computed:
             replaced = f"; {name}:=… on the command line replaces that" if is_main else ""
-            return f"computed: {_cut(declared.default_text or '')}{replaced}"
+            text = declared.default_text or ""
+            cut = text if len(text) <= LONGEST_EXPRESSION else f"{text[:LONGEST_EXPRESSION]}…"
+            return f"computed: {cut}{replaced}"
         if is_main:
             return f"{name}:=… on the command line sets it"
         return f"private to {file}: the file that includes it can pass {name}: …"
@@ -393,14 +399,6 @@ def _declared_in(path: str, loader: Loader) -> list[Declared]:
         return declared_names(Source(text, name=path, path=path))
     except (LoadError, YamaroError):
         return []
-
-
-def _place_of(span: Span) -> str:
-    return f"{os.path.basename(span.source.path or span.source.name)}:{span.location()[0]}"
-
-
-def _cut(text: str) -> str:
-    return text if len(text) <= LONGEST_EXPRESSION else f"{text[:LONGEST_EXPRESSION]}…"
 
 
 def _shown(path: str, main: str) -> str:
