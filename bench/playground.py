@@ -20,8 +20,8 @@ from measuring import Figure, Setting, main, run
 ROOT = Path(__file__).parents[1]
 sys.path.insert(0, str(ROOT))
 
+from tests import chromium  # noqa: E402
 from tests.serving import served  # noqa: E402
-from tests.tools.view import chromium  # noqa: E402
 
 MOST = 6000.0  # ms
 SEEN = "Boolean(document.getElementById('viewer')?.contentWindow?.yamaro?.robot)"

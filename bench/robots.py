@@ -15,7 +15,7 @@ The lines of what was migrated are counted as well, and what in them is not as a
 it (bench/reading.py). Robots that parsers refuse are built with their own faults allowed, and are
 counted too.
 
-Robots are compared by tests/tools/migrate/same_robot.py, which knows lxml and nothing of Yamaro.
+Robots are compared by tests/same_robot.py, which knows lxml and nothing of Yamaro.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ from yamaro.xml.reader import decode_xml
 ROOT = Path(__file__).parents[1]
 sys.path.insert(0, str(ROOT))
 
-from tests.tools.migrate.same_robot import is_same_robot  # noqa: E402 - after the path
+from tests.same_robot import is_same_robot  # noqa: E402 - after the path
 
 UNKNOWN = "/opt/ros/unknown/share"
 Row = dict[str, str]

@@ -20,7 +20,7 @@ from measuring import ENVIRONMENT, Figure, Setting, main
 ROOT = Path(__file__).parents[1]
 sys.path.insert(0, str(ROOT))
 
-from tests.tools.view import chromium  # noqa: E402
+from tests import chromium  # noqa: E402
 
 MOST = 300.0  # ms, from the save to the picture
 PAUSE = 0.4  # seconds between saves, which come at no fixed moment of the watch

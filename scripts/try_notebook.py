@@ -20,8 +20,8 @@ sys.path.insert(0, str(ROOT))
 
 from PIL import Image  # noqa: E402
 
-from tests.tools.view import chromium  # noqa: E402
-from tests.tools.view.chromium import Chromium  # noqa: E402
+from tests import chromium  # noqa: E402
+from tests.chromium import Chromium  # noqa: E402
 from tests.waiting import wait_for  # noqa: E402
 
 CELLS = [

@@ -26,7 +26,7 @@ import PIL.Image
 ROOT = Path(__file__).parents[1]
 sys.path.insert(0, str(ROOT))
 
-from tests.tools.view import chromium  # noqa: E402
+from tests import chromium  # noqa: E402
 from tests.tools.view.conftest import Page  # noqa: E402
 from tests.tools.view.scene import place_of  # noqa: E402
 

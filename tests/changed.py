@@ -49,7 +49,7 @@ ELSEWHERE = {
     "docs/": ("tests/test_docs.py", "tests/test_links.py", "tests/test_prose.py"),
     "editors/": ("tests/editors",),
     "examples/": ("tests/test_examples.py", "tests/consumers", "tests/examples"),
-    "ros/": ("tests/ros",),
+    "ros/": ("tests/ros", "tests/tools/new"),
     "scripts/": ("tests/test_release.py",),
     "src/yamaro/tools/new/template/": ("tests/tools/new",),
     "tests/cases/": ("tests/test_cases.py", "tests/test_fixes.py", "tests/test_allowances.py"),

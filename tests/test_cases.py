@@ -31,6 +31,7 @@ from tests.golden import (
 )
 from tests.unshared import unsharing
 from yamaro import pipeline
+from yamaro.commands.command_table import command_named
 from yamaro.commands.main import main
 from yamaro.sandbox import jail
 
@@ -65,11 +66,14 @@ def compile_case(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[
         for setting in shlex.split(options.get("env", "")):
             name, _, value = setting.partition("=")
             monkeypatch.setenv(name, value)
+        command = options.get("command", "").split()
+        if command and command_named(command[0]) is None:
+            pytest.skip(f"without {command[0]}")
         arguments = shlex.split(options.get("args", ""))
         if "strict" in options:
             arguments.append("--strict")
         capsys.readouterr()
-        status = main([*options.get("command", "").split(), case.name, *arguments])
+        status = main([*command, case.name, *arguments])
         captured = capsys.readouterr()
         return Result(status, _portable(captured.out), _portable(captured.err))
 

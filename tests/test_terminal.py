@@ -15,6 +15,7 @@ from pathlib import Path
 import pytest
 
 import yamaro
+from tests.tools_there import needs
 from yamaro.commands.main import main
 from yamaro.sandbox import jail
 from yamaro.streams import BINARY, NAMES, XML, NotForTerminal, Streams
@@ -96,7 +97,7 @@ def write(text: str, name: str = "robot.yaml") -> str:
         pytest.param(["robot.yaml", "--jail"], marks=needs_jail),
         ["check", "robot.yaml"],
         ["check", "--trust", "robot.yaml"],
-        ["tree", "robot.yaml"],
+        pytest.param(["tree", "robot.yaml"], marks=needs("tree")),
     ],
     ids=" ".join,
 )
@@ -145,8 +146,8 @@ def test_messages_excerpts_and_file_names_are_escaped_between_colours() -> None:
         ["a.yaml", "\x1b[2J"],
         ["help", "\u202e"],
         ["completion", "\x1b[2J"],
-        ["watch", "\x1b.yaml", "-o", "\x1b.urdf"],
-        ["migrate", "\x1b[2J.urdf"],
+        pytest.param(["watch", "\x1b.yaml", "-o", "\x1b.urdf"], marks=needs("watch")),
+        pytest.param(["migrate", "\x1b[2J.urdf"], marks=needs("migrate")),
     ],
     ids=ascii,
 )
@@ -173,6 +174,7 @@ def test_xml_on_a_terminal_says_the_same_without_steering_it() -> None:
     assert on_screen[0].text == in_pipe[0].text == evil
 
 
+@needs("tree")
 @needs_terminals
 def test_names_in_tree_and_completion_are_escaped() -> None:
     in_xml = quoted("".join(filter(is_xml_character, EVIL)))
@@ -184,6 +186,7 @@ def test_names_in_tree_and_completion_are_escaped() -> None:
     assert shown.count(":=") == 1
 
 
+@needs("migrate")
 @needs_terminals
 def test_migration_reports_without_steering() -> None:
     write('<robot name="r"><link name="a"/><a b="\u202e\x9b"/></robot>', "\x1b[2J.urdf")

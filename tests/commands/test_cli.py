@@ -15,6 +15,7 @@ from typing import Any
 
 import pytest
 
+from tests.tools_there import TOOLS, marked, needs
 from tests.waiting import PATIENCE
 from yamaro import Program
 from yamaro.commands.arguments import make_policy, parse_arguments
@@ -207,23 +208,25 @@ def test_named_pipe_is_read_like_standard_input() -> None:
 
 @pytest.mark.parametrize(
     "command",
-    [
-        "pipe.yaml",
-        "--safe --timeout 100 pipe.yaml",
-        "--jail pipe.yaml",
-        "check pipe.yaml",
-        "check link.urdf",
-        "check --fix pipe.yaml",
-        "tree pipe.yaml",
-        "args pipe.yaml",
-        "why pipe.yaml base",
-        "diff pipe.yaml pipe.yaml",
-        "migrate pipe.yaml",
-        "fmt pipe.yaml",
-        "fmt --check pipe.yaml",
-        "watch pipe.yaml -o x.urdf",
-        "sweep pipe.yaml -o runs",
-    ],
+    marked(
+        [
+            "pipe.yaml",
+            "--safe --timeout 100 pipe.yaml",
+            "--jail pipe.yaml",
+            "check pipe.yaml",
+            "check link.urdf",
+            "check --fix pipe.yaml",
+            "tree pipe.yaml",
+            "args pipe.yaml",
+            "why pipe.yaml base",
+            "diff pipe.yaml pipe.yaml",
+            "migrate pipe.yaml",
+            "fmt pipe.yaml",
+            "fmt --check pipe.yaml",
+            "watch pipe.yaml -o x.urdf",
+            "sweep pipe.yaml -o runs",
+        ]
+    ),
 )
 def test_a_pipe_that_nothing_writes_to_is_not_waited_for(
     command: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
@@ -261,20 +264,14 @@ def test_an_empty_entry_of_pythonpath_is_not_the_working_directory(path: str, ra
     assert os.path.exists("RAN") == ran
 
 
-@pytest.mark.parametrize("model", ["", " ~", " []", " {}"])
-def test_why_of_an_empty_model_is_an_error(model: str, capsys: pytest.CaptureFixture[str]) -> None:
-    write(f"model:{model}\n")
-    status, _, err = outcome(capsys, "why", "robot.yaml", "a")
-    assert status in (1, 2)
-    assert "internal error" not in err
-
-
-def test_folders_are_searched_for_regular_files_only(capsys: pytest.CaptureFixture[str]) -> None:
+@pytest.mark.parametrize("command", marked(["fmt", "test"]))
+def test_folders_are_searched_for_regular_files_only(
+    command: str, capsys: pytest.CaptureFixture[str]
+) -> None:
     Path("robots").mkdir()
     os.mkfifo("robots/a.urdf.yaml")
     os.mkfifo("robots/a.test.yaml")
-    for command in ("fmt", "test"):
-        assert outcome(capsys, command, "robots")[0] == 2
+    assert outcome(capsys, command, "robots")[0] == 2
 
 
 @pytest.mark.parametrize("name", ["-", "/dev/stdin", "pipe.yaml"])
@@ -325,7 +322,7 @@ def test_closed_standard_input_is_wrong_usage(
     assert (status, err.splitlines()[0]) == (2, "yamaro: error: standard input is closed")
 
 
-# --- check and tree ---------------------------------------------------------------------------
+# --- check ------------------------------------------------------------------------------------
 
 
 def test_check_of_a_good_file_says_so(capsys: pytest.CaptureFixture[str]) -> None:
@@ -360,26 +357,7 @@ def test_check_counts_errors(capsys: pytest.CaptureFixture[str]) -> None:
     assert f"robot.yaml: {errors} error{plural}" in err.splitlines()[-1]
 
 
-def test_tree_shows_the_robot_and_no_xml(capsys: pytest.CaptureFixture[str]) -> None:
-    status, out, err = outcome(capsys, "tree", write(ROBOT), "-q")
-    assert (status, err) == (0, "")
-    assert out.splitlines()[1] == "└─ tool  tool_joint  fixed"
-    assert out.splitlines()[-1].startswith("arm: 2 links, 1 joint (0 movable)")
-
-
-def test_tree_is_drawn_in_ascii_where_the_encoding_asks_for_it() -> None:
-    environ = {**os.environ, "PYTHONIOENCODING": "ascii"}
-    result = run("tree", write(ROBOT), "-q", env=environ)
-    assert result.stdout.splitlines()[1] == b"`- tool  tool_joint  fixed"
-
-
-def test_tree_of_other_xml_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
-    status, out, err = outcome(capsys, "tree", write("sdf/version='1.11':\n  world/name=w:\n"))
-    assert (status, out) == (2, "")
-    assert "'yamaro tree' shows robots, and this is a <sdf>" in err
-
-
-@pytest.mark.parametrize("command", ["check", "tree", "completion"])
+@pytest.mark.parametrize("command", marked(["check", "tree", "completion"]))
 def test_file_with_the_name_of_a_command_is_reached_by_its_path(
     capsys: pytest.CaptureFixture[str], command: str
 ) -> None:
@@ -418,7 +396,7 @@ def codes_of(err: str) -> list[str]:
     return [line[6:].partition("]")[0] for line in lines if line.startswith("error[")]
 
 
-@pytest.mark.parametrize("words", [["tree", "--safe"], ["--safe"], ["check", "--safe"]])
+@pytest.mark.parametrize("words", marked([["tree", "--safe"], ["--safe"], ["check", "--safe"]]))
 def test_safe_mode_runs_nothing_that_does_more_than_compute(
     capsys: pytest.CaptureFixture[str], words: list[str]
 ) -> None:
@@ -428,7 +406,9 @@ def test_safe_mode_runs_nothing_that_does_more_than_compute(
     assert not os.path.exists("ran")
 
 
-@pytest.mark.parametrize("words", [[], ["--trust"], ["check", "--trust"], ["--trust", "tree"]])
+@pytest.mark.parametrize(
+    "words", marked([[], ["--trust"], ["check", "--trust"], ["--trust", "tree"]])
+)
 def test_a_trusted_file_may_do_what_python_can(
     capsys: pytest.CaptureFixture[str], words: list[str]
 ) -> None:
@@ -438,7 +418,7 @@ def test_a_trusted_file_may_do_what_python_can(
 
 
 @pytest.mark.skipif(jail.check_available() is not None, reason="no jail here")
-@pytest.mark.parametrize("words", [["--jail"], ["check", "--jail"], ["tree", "--jail"]])
+@pytest.mark.parametrize("words", marked([["--jail"], ["check", "--jail"], ["tree", "--jail"]]))
 def test_a_jailed_file_runs_and_writes_nothing(
     capsys: pytest.CaptureFixture[str], words: list[str]
 ) -> None:
@@ -493,7 +473,7 @@ def test_several_limits_can_be_set_and_the_last_of_a_name_counts(
     assert outcome(capsys, *words, "--limit", "turns=3")[0] == 0
 
 
-@pytest.mark.parametrize("command", ["check", "tree"])
+@pytest.mark.parametrize("command", marked(["check", "tree"]))
 def test_limits_of_safe_mode_can_be_set_where_it_is_the_usual_one(
     capsys: pytest.CaptureFixture[str], command: str
 ) -> None:
@@ -514,7 +494,7 @@ def test_a_time_out_ends_a_conversion_and_leaves_the_old_file(
     assert Path("arm.urdf").read_text() == "old"
 
 
-@pytest.mark.parametrize("command", ["build", "check", "tree"])
+@pytest.mark.parametrize("command", marked(["build", "check", "tree"]))
 @pytest.mark.parametrize(
     ("word", "mode"), [(None, None), ("--trust", "trusted"), ("--jail", "jail"), ("--safe", "safe")]
 )
@@ -588,78 +568,86 @@ def test_words_after_two_dashes_are_no_options() -> None:
 
 @pytest.mark.parametrize(
     ("words", "message"),
-    [
-        ("", "missing FILE"),
-        ("--", "missing FILE"),
-        ("a:=1", "missing FILE"),
-        ("check", "'yamaro check' needs a FILE"),
-        ("new", "'yamaro new' needs a NAME"),
-        ("a.yaml b.yaml", "unexpected argument 'b.yaml' after 'a.yaml'"),
-        (
-            "a.yaml legs=6",
-            "unexpected argument 'legs=6' after 'a.yaml'; to set a variable, write 'legs:=6'",
-        ),
-        ("chekc a.yaml", "unknown command 'chekc'; did you mean 'check'?"),
-        ("--strct a.yaml", "unknown option '--strct'; did you mean '--strict'?"),
-        ("--colour always a.yaml", "unknown option '--colour'; did you mean '--color'?"),
-        ("-strict a.yaml", "unknown option '-strict'; did you mean '--strict'?"),
-        ("-qz a.yaml", "unknown option '-z'"),
-        ("--xyzzy a.yaml", "unknown option '--xyzzy'"),
-        ("a.yaml -o", "'-o' needs a file name after it"),
-        ("a.yaml --output=", "'--output' needs a file name after it"),
-        ("a.yaml -o x --output y", "'--output' is given twice"),
-        ("a.yaml --quiet=yes", "'--quiet' takes no value"),
-        ("a.yaml --color", "'--color' needs auto, always or never after it"),
-        ("a.yaml --color on", "'--color' takes auto, always or never, not 'on'"),
-        ("tree a.yaml -o x", "'--output' cannot be used with 'yamaro tree'"),
-        ("tree a.yaml --deps", "'--deps' cannot be used with 'yamaro tree'"),
-        ("--safe --jail a.yaml", "'--jail' and '--safe' cannot be combined"),
-        ("tree a.yaml --safe --trust", "'--trust' and '--safe' cannot be combined"),
-        ("--safe=yes a.yaml", "'--safe' takes no value"),
-        ("a.yaml --timeout", "'--timeout' needs a number of seconds after it"),
-        ("a.yaml --timeout 1 --timeout 2", "'--timeout' is given twice"),
-        ("a.yaml --timeout 0", "'--timeout' takes a number of seconds greater than 0, not '0'"),
-        (
-            "a.yaml --timeout=1min",
-            "'--timeout' takes a number of seconds greater than 0, not '1min'",
-        ),
-        ("a.yaml --timeout nan", "'--timeout' takes a number of seconds greater than 0, not 'nan'"),
-        ("a.yaml --timeout inf", "'--timeout' takes a number of seconds greater than 0, not 'inf'"),
-        ("--safe a.yaml --allow-path", "'--allow-path' needs a file or folder after it"),
-        ("--safe a.yaml --allow-path=", "'--allow-path' needs a file or folder after it"),
-        (
-            "a.yaml --allow-path /opt",
-            "'--allow-path' needs --jail or --safe",
-        ),
-        (
-            "check --trust a.yaml --allow-path /opt",
-            "'--allow-path' needs --jail or --safe",
-        ),
-        ("a.yaml --limit", "'--limit' needs NAME=NUMBER after it"),
-        (
-            "a.yaml --limit turns",
-            "the limit 'turns' needs a whole number, as in '--limit turns=1000'",
-        ),
-        ("a.yaml --limit turns=", "the limit 'turns' needs a whole number, not ''"),
-        ("a.yaml --limit turns=1e6", "the limit 'turns' needs a whole number, not '1e6'"),
-        (
-            "a.yaml --limit turns=0",
-            "the limit 'turns' is a whole number from 1 to 1,125,899,906,842,624",
-        ),
-        (
-            "a.yaml --limit turns=-5",
-            "the limit 'turns' is a whole number from 1 to 1,125,899,906,842,624",
-        ),
-        ("a.yaml --limit turn=9", "unknown limit 'turn'; did you mean 'turns'?"),
-        ("a.yaml --limit xml_depth=9", "unknown limit 'xml_depth'; did you mean 'xml-depth'?"),
-        ("a.yaml --limit steps=9", "the limit 'steps' applies only in safe mode"),
-        ("--jail a.yaml --limit steps=9", "the limit 'steps' applies only in safe mode"),
-        ("completion --safe bash", "'--safe' cannot be used with 'yamaro completion'"),
-        ("completion", "'yamaro completion' needs a shell: bash, zsh, fish"),
-        ("completion tcsh", "'yamaro completion' needs a shell: bash, zsh, fish"),
-        ("completion bash zsh", "'yamaro completion' needs a shell: bash, zsh, fish"),
-        ("--\x1b[2J", "unknown option '--\\x1b[2J'"),
-    ],
+    marked(
+        [
+            ("", "missing FILE"),
+            ("--", "missing FILE"),
+            ("a:=1", "missing FILE"),
+            ("check", "'yamaro check' needs a FILE"),
+            ("new", "'yamaro new' needs a NAME"),
+            ("a.yaml b.yaml", "unexpected argument 'b.yaml' after 'a.yaml'"),
+            (
+                "a.yaml legs=6",
+                "unexpected argument 'legs=6' after 'a.yaml'; to set a variable, write 'legs:=6'",
+            ),
+            ("chekc a.yaml", "unknown command 'chekc'; did you mean 'check'?"),
+            ("--strct a.yaml", "unknown option '--strct'; did you mean '--strict'?"),
+            ("--colour always a.yaml", "unknown option '--colour'; did you mean '--color'?"),
+            ("-strict a.yaml", "unknown option '-strict'; did you mean '--strict'?"),
+            ("-qz a.yaml", "unknown option '-z'"),
+            ("--xyzzy a.yaml", "unknown option '--xyzzy'"),
+            ("a.yaml -o", "'-o' needs a file name after it"),
+            ("a.yaml --output=", "'--output' needs a file name after it"),
+            ("a.yaml -o x --output y", "'--output' is given twice"),
+            ("a.yaml --quiet=yes", "'--quiet' takes no value"),
+            ("a.yaml --color", "'--color' needs auto, always or never after it"),
+            ("a.yaml --color on", "'--color' takes auto, always or never, not 'on'"),
+            ("tree a.yaml -o x", "'--output' cannot be used with 'yamaro tree'"),
+            ("tree a.yaml --deps", "'--deps' cannot be used with 'yamaro tree'"),
+            ("--safe --jail a.yaml", "'--jail' and '--safe' cannot be combined"),
+            ("tree a.yaml --safe --trust", "'--trust' and '--safe' cannot be combined"),
+            ("--safe=yes a.yaml", "'--safe' takes no value"),
+            ("a.yaml --timeout", "'--timeout' needs a number of seconds after it"),
+            ("a.yaml --timeout 1 --timeout 2", "'--timeout' is given twice"),
+            ("a.yaml --timeout 0", "'--timeout' takes a number of seconds greater than 0, not '0'"),
+            (
+                "a.yaml --timeout=1min",
+                "'--timeout' takes a number of seconds greater than 0, not '1min'",
+            ),
+            (
+                "a.yaml --timeout nan",
+                "'--timeout' takes a number of seconds greater than 0, not 'nan'",
+            ),
+            (
+                "a.yaml --timeout inf",
+                "'--timeout' takes a number of seconds greater than 0, not 'inf'",
+            ),
+            ("--safe a.yaml --allow-path", "'--allow-path' needs a file or folder after it"),
+            ("--safe a.yaml --allow-path=", "'--allow-path' needs a file or folder after it"),
+            (
+                "a.yaml --allow-path /opt",
+                "'--allow-path' needs --jail or --safe",
+            ),
+            (
+                "check --trust a.yaml --allow-path /opt",
+                "'--allow-path' needs --jail or --safe",
+            ),
+            ("a.yaml --limit", "'--limit' needs NAME=NUMBER after it"),
+            (
+                "a.yaml --limit turns",
+                "the limit 'turns' needs a whole number, as in '--limit turns=1000'",
+            ),
+            ("a.yaml --limit turns=", "the limit 'turns' needs a whole number, not ''"),
+            ("a.yaml --limit turns=1e6", "the limit 'turns' needs a whole number, not '1e6'"),
+            (
+                "a.yaml --limit turns=0",
+                "the limit 'turns' is a whole number from 1 to 1,125,899,906,842,624",
+            ),
+            (
+                "a.yaml --limit turns=-5",
+                "the limit 'turns' is a whole number from 1 to 1,125,899,906,842,624",
+            ),
+            ("a.yaml --limit turn=9", "unknown limit 'turn'; did you mean 'turns'?"),
+            ("a.yaml --limit xml_depth=9", "unknown limit 'xml_depth'; did you mean 'xml-depth'?"),
+            ("a.yaml --limit steps=9", "the limit 'steps' applies only in safe mode"),
+            ("--jail a.yaml --limit steps=9", "the limit 'steps' applies only in safe mode"),
+            ("completion --safe bash", "'--safe' cannot be used with 'yamaro completion'"),
+            ("completion", "'yamaro completion' needs a shell: bash, zsh, fish"),
+            ("completion tcsh", "'yamaro completion' needs a shell: bash, zsh, fish"),
+            ("completion bash zsh", "'yamaro completion' needs a shell: bash, zsh, fish"),
+            ("--\x1b[2J", "unknown option '--\\x1b[2J'"),
+        ]
+    ),
 )
 def test_wrong_usage_is_told_in_one_line(
     capsys: pytest.CaptureFixture[str], words: str, message: str
@@ -687,7 +675,7 @@ def test_missing_main_file_is_wrong_usage(capsys: pytest.CaptureFixture[str]) ->
     assert err.endswith(USAGE + "\n")
 
 
-@pytest.mark.parametrize("command", ["build", "check", "tree"])
+@pytest.mark.parametrize("command", marked(["build", "check", "tree"]))
 def test_an_empty_file_name_is_wrong_usage(
     command: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -757,6 +745,7 @@ def test_help_of_no_command_is_wrong_usage(
     assert outcome(capsys, *words.split()) == (2, "", f"yamaro: error: {message}\n{USAGE}\n")
 
 
+@needs(*TOOLS)
 def test_the_page_on_the_command_lists_its_options() -> None:
     """Each option is in the table of its section, in every spelling and with its value."""
     page = (Path(__file__).parents[2] / "docs" / "cli.md").read_text(encoding="utf-8")
@@ -934,7 +923,7 @@ def test_colour_follows_option_and_environment(
 
 
 @pytest.mark.parametrize(("term", "is_colored"), [("xterm", True), ("dumb", False)])
-@pytest.mark.parametrize("stream", ["stdout", "stderr"])
+@pytest.mark.parametrize("stream", [pytest.param("stdout", marks=needs("tree")), "stderr"])
 def test_colour_is_for_terminals(term: str, is_colored: bool, stream: str) -> None:
     import pty
 
@@ -1349,60 +1338,66 @@ def test_values_of_an_argument_are_listed(capsys: pytest.CaptureFixture[str]) ->
 @pytest.mark.skipif(not shutil.which("bash"), reason="needs bash")
 @pytest.mark.parametrize(
     ("line", "words", "expected"),
-    [
-        (
-            "yamaro ",
-            ["yamaro", ""],
+    marked(
+        [
             (
-                "a.urdf args bin check completion diff fmt help lsp migrate new picture "
-                "robot.yaml sweep test tree two.yml view watch why"
+                "yamaro ",
+                ["yamaro", ""],
+                (
+                    "a.urdf args bin check completion diff fmt help lsp migrate new picture "
+                    "robot.yaml sweep test tree two.yml view watch why"
+                ),
             ),
-        ),
-        ("yamaro ro", ["yamaro", "ro"], "robot.yaml"),
-        ("yamaro check ro", ["yamaro", "check", "ro"], "robot.yaml"),
-        ("yamaro robot.yaml ", ["yamaro", "robot.yaml", ""], "legs:= length:="),
-        ("yamaro robot.yaml le", ["yamaro", "robot.yaml", "le"], "legs:= length:="),
-        ("yamaro robot.yaml legs:=", ["yamaro", "robot.yaml", "legs", ":="], ""),
-        ("yamaro tool.yaml grip:=", ["yamaro", "tool.yaml", "grip", ":=", ""], "none vacuum"),
-        ("yamaro tool.yaml grip:=v", ["yamaro", "tool.yaml", "grip", ":=", "v"], "vacuum"),
-        ("yamaro tool.yaml solid:=", ["yamaro", "tool.yaml", "solid", ":=", ""], "false true"),
-        ("yamaro tool.yaml size:=", ["yamaro", "tool.yaml", "size", ":=", ""], ""),
-        (
-            "yamaro robot.yaml legs:=3 len",
-            ["yamaro", "robot.yaml", "legs", ":=", "3", "len"],
-            "length:=",
-        ),
-        ("yamaro robot.yaml -o a", ["yamaro", "robot.yaml", "-o", "a"], "a.urdf"),
-        ("yamaro --st", ["yamaro", "--st"], "--strict"),
-        ("yamaro check --dep", ["yamaro", "check", "--dep"], ""),
-        ("yamaro check a", ["yamaro", "check", "a"], "a.urdf"),
-        ("yamaro picture --tu", ["yamaro", "picture", "--tu"], "--turn"),
-        ("yamaro picture --view le", ["yamaro", "picture", "--view", "le"], "left"),
-        ("yamaro picture --show i", ["yamaro", "picture", "--show", "i"], "inertia"),
-        ("yamaro picture --size 9x9 ro", "yamaro picture --size 9x9 ro".split(), "robot.yaml"),
-        ("yamaro --color=al", ["yamaro", "--color", "=", "al"], "always"),
-        ("yamaro tree --sa", ["yamaro", "tree", "--sa"], "--safe"),
-        ("yamaro --limit yaml", ["yamaro", "--limit", "yaml"], "yaml-depth="),
-        ("yamaro --limit=yaml", ["yamaro", "--limit", "=", "yaml"], "yaml-depth="),
-        ("yamaro --limit turns=", ["yamaro", "--limit", "turns", "="], ""),
-        ("yamaro --limit=turns=5", ["yamaro", "--limit", "=", "turns", "=", "5"], ""),
-        ("yamaro --timeout ", ["yamaro", "--timeout", ""], ""),
-        ("yamaro --timeout=1", ["yamaro", "--timeout", "=", "1"], ""),
-        ("yamaro --allow-path a", ["yamaro", "--allow-path", "a"], "a.urdf"),
-        (
-            "yamaro --safe --limit turns=5 --timeout 9 --allow-path bin robot.yaml leg",
-            "yamaro --safe --limit turns = 5 --timeout 9 --allow-path bin robot.yaml leg".split(),
-            "legs:=",
-        ),
-        ("yamaro completion z", ["yamaro", "completion", "z"], "zsh"),
-        ("yamaro view a", ["yamaro", "view", "a"], "a.urdf"),
-        ("yamaro view --no", ["yamaro", "view", "--no"], "--no-browser"),
-        ("yamaro view --port 80 ro", ["yamaro", "view", "--port", "80", "ro"], "robot.yaml"),
-        ("yamaro watch --out", ["yamaro", "watch", "--out"], "--output"),
-        ("yamaro help pi", ["yamaro", "help", "pi"], "picture"),
-        ("yamaro migrate --fo", ["yamaro", "migrate", "--fo"], "--force"),
-        ("yamaro tree --fo", ["yamaro", "tree", "--fo"], ""),
-    ],
+            ("yamaro ro", ["yamaro", "ro"], "robot.yaml"),
+            ("yamaro check ro", ["yamaro", "check", "ro"], "robot.yaml"),
+            ("yamaro robot.yaml ", ["yamaro", "robot.yaml", ""], "legs:= length:="),
+            ("yamaro robot.yaml le", ["yamaro", "robot.yaml", "le"], "legs:= length:="),
+            ("yamaro robot.yaml legs:=", ["yamaro", "robot.yaml", "legs", ":="], ""),
+            ("yamaro tool.yaml grip:=", ["yamaro", "tool.yaml", "grip", ":=", ""], "none vacuum"),
+            ("yamaro tool.yaml grip:=v", ["yamaro", "tool.yaml", "grip", ":=", "v"], "vacuum"),
+            ("yamaro tool.yaml solid:=", ["yamaro", "tool.yaml", "solid", ":=", ""], "false true"),
+            ("yamaro tool.yaml size:=", ["yamaro", "tool.yaml", "size", ":=", ""], ""),
+            (
+                "yamaro robot.yaml legs:=3 len",
+                ["yamaro", "robot.yaml", "legs", ":=", "3", "len"],
+                "length:=",
+            ),
+            ("yamaro robot.yaml -o a", ["yamaro", "robot.yaml", "-o", "a"], "a.urdf"),
+            ("yamaro --st", ["yamaro", "--st"], "--strict"),
+            ("yamaro check --dep", ["yamaro", "check", "--dep"], ""),
+            ("yamaro check a", ["yamaro", "check", "a"], "a.urdf"),
+            ("yamaro picture --tu", ["yamaro", "picture", "--tu"], "--turn"),
+            ("yamaro picture --view le", ["yamaro", "picture", "--view", "le"], "left"),
+            ("yamaro picture --show i", ["yamaro", "picture", "--show", "i"], "inertia"),
+            ("yamaro picture --size 9x9 ro", "yamaro picture --size 9x9 ro".split(), "robot.yaml"),
+            ("yamaro --color=al", ["yamaro", "--color", "=", "al"], "always"),
+            ("yamaro tree --sa", ["yamaro", "tree", "--sa"], "--safe"),
+            ("yamaro --limit yaml", ["yamaro", "--limit", "yaml"], "yaml-depth="),
+            ("yamaro --limit=yaml", ["yamaro", "--limit", "=", "yaml"], "yaml-depth="),
+            ("yamaro --limit turns=", ["yamaro", "--limit", "turns", "="], ""),
+            ("yamaro --limit=turns=5", ["yamaro", "--limit", "=", "turns", "=", "5"], ""),
+            ("yamaro --timeout ", ["yamaro", "--timeout", ""], ""),
+            ("yamaro --timeout=1", ["yamaro", "--timeout", "=", "1"], ""),
+            ("yamaro --allow-path a", ["yamaro", "--allow-path", "a"], "a.urdf"),
+            (
+                "yamaro --safe --limit turns=5 --timeout 9 --allow-path bin robot.yaml leg",
+                [
+                    *"yamaro --safe --limit turns = 5 --timeout 9 --allow-path bin".split(),
+                    "robot.yaml",
+                    "leg",
+                ],
+                "legs:=",
+            ),
+            ("yamaro completion z", ["yamaro", "completion", "z"], "zsh"),
+            ("yamaro view a", ["yamaro", "view", "a"], "a.urdf"),
+            ("yamaro view --no", ["yamaro", "view", "--no"], "--no-browser"),
+            ("yamaro view --port 80 ro", ["yamaro", "view", "--port", "80", "ro"], "robot.yaml"),
+            ("yamaro watch --out", ["yamaro", "watch", "--out"], "--output"),
+            ("yamaro help pi", ["yamaro", "help", "pi"], "picture"),
+            ("yamaro migrate --fo", ["yamaro", "migrate", "--fo"], "--force"),
+            ("yamaro tree --fo", ["yamaro", "tree", "--fo"], ""),
+        ]
+    ),
 )
 def test_bash_completes(line: str, words: list[str], expected: str) -> None:
     write("variables: {length: 1, legs: 4}\n")
@@ -1429,19 +1424,21 @@ def test_bash_completes(line: str, words: list[str], expected: str) -> None:
 @pytest.mark.skipif(not shutil.which("fish"), reason="needs fish")
 @pytest.mark.parametrize(
     ("line", "expected"),
-    [
-        ("yamaro ro", "robot.yaml"),
-        ("yamaro robot.yaml ", "legs:= length:="),
-        ("yamaro check robot.yaml len", "length:="),
-        ("yamaro --st", "--strict"),
-        ("yamaro tree --sa", "--safe"),
-        ("yamaro --limit yaml", "yaml-depth="),
-        ("yamaro --limit=yaml", "--limit=yaml-depth="),
-        ("yamaro --timeout ", ""),
-        ("yamaro --allow-path scr", "script"),
-        ("yamaro --safe --limit turns=5 --timeout 9 --allow-path bin robot.yaml leg", "legs:="),
-        ("yamaro completion ", "bash fish zsh"),
-    ],
+    marked(
+        [
+            ("yamaro ro", "robot.yaml"),
+            ("yamaro robot.yaml ", "legs:= length:="),
+            ("yamaro check robot.yaml len", "length:="),
+            ("yamaro --st", "--strict"),
+            ("yamaro tree --sa", "--safe"),
+            ("yamaro --limit yaml", "yaml-depth="),
+            ("yamaro --limit=yaml", "--limit=yaml-depth="),
+            ("yamaro --timeout ", ""),
+            ("yamaro --allow-path scr", "script"),
+            ("yamaro --safe --limit turns=5 --timeout 9 --allow-path bin robot.yaml leg", "legs:="),
+            ("yamaro completion ", "bash fish zsh"),
+        ]
+    ),
 )
 def test_fish_completes(line: str, expected: str) -> None:
     write("variables: {length: 1, legs: 4}\n")
@@ -1479,13 +1476,13 @@ def test_a_robot_that_parsers_refuse_does_not_replace_a_good_file(
     assert '<link name="b"/>' in Path("robot.urdf").read_text()
 
 
-@pytest.mark.parametrize("command", [(), ("check",), ("tree",)])
+@pytest.mark.parametrize("command", marked([[], ["check"], ["tree"]]))
 @pytest.mark.parametrize("mode", ["--trust", "--safe", "--jail"])
 def test_what_is_allowed_is_a_warning_in_each_command_and_mode(
     capsys: pytest.CaptureFixture[str],
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
-    command: tuple[str, ...],
+    command: list[str],
     mode: str,
 ) -> None:
     monkeypatch.chdir(tmp_path)
@@ -1512,7 +1509,7 @@ def test_what_is_denied_is_an_error_also_if_it_is_only_advice(
         assert "slash-in-name" in codes or "slash-in-name" not in said
 
 
-@pytest.mark.parametrize("command", ["", "check", "tree", "view", "watch", "picture"])
+@pytest.mark.parametrize("command", marked(["", "check", "tree", "view", "watch", "picture"]))
 @pytest.mark.parametrize(
     ("options", "message"),
     [

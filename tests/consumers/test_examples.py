@@ -15,6 +15,7 @@ from lxml import etree
 import yamaro
 from tests.consumers import oracles
 from tests.example_files import EXAMPLES, programs_in
+from tests.tools_there import needs
 from yamaro.commands.main import main
 
 # These make no robot, and are judged by their own tests.
@@ -132,6 +133,7 @@ def test_inertia_of_primitive_shapes_is_what_others_compute(path: Path) -> None:
     assert compared > 0, "no link has a primitive shape in its inertial frame"
 
 
+@needs("tree")
 @robots
 def test_tree_tells_the_total_mass(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["tree", "--trust", "-q", str(path)]) == 0

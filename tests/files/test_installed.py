@@ -12,6 +12,7 @@ import pytest
 import yamaro
 from tests.files.test_packages import install_package, make_package
 from tests.files.wheels import EXPLODES, install
+from tests.tools_there import needs
 from yamaro import Policy, YamaroError
 from yamaro.commands.main import main
 from yamaro.files.installed import InstalledPackages
@@ -192,7 +193,7 @@ def test_packages_take_files_of_other_packages(site: Path, tmp_path: Path, mode:
     assert '<link name="c"/>' in build.xml()
 
 
-@pytest.mark.parametrize("words", [["check"], ["tree"], ["--to", "sdf"], ["--deps", "--safe"]])
+@pytest.mark.parametrize("words", [["check"], ["--to", "sdf"], ["--deps", "--safe"]])
 def test_the_commands_find_python_packages(
     site: Path, tmp_path: Path, words: list[str], capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -201,6 +202,7 @@ def test_the_commands_find_python_packages(
     assert "error" not in capsys.readouterr().err
 
 
+@needs("migrate")
 def test_migrate_finds_python_packages(site: Path, tmp_path: Path) -> None:
     link = '<robot name="r"><link name="a"/></robot>'
     install(site, "rover", {"rover/a.xacro": link}, entry_points="rover = rover")

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 import yamaro
+from tests.tools_there import needs
 from yamaro.commands.main import main
 from yamaro.commands.reports import USAGE
 from yamaro.files.packages import PackageFinder
@@ -55,6 +56,7 @@ def test_a_package_may_be_given_with_an_equals_sign(capsys: pytest.CaptureFixtur
     assert outcome(capsys, "robot.yaml", "--package=hand:=../far/hand") == (0, XML, "")
 
 
+@needs("tree")
 def test_check_and_tree_take_packages(capsys: pytest.CaptureFixture[str]) -> None:
     given = ["robot.yaml", "--package", "hand:=../far/hand"]
     assert outcome(capsys, "check", *given) == (0, "robot.yaml: ok\n", "")

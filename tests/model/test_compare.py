@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.tools.migrate.same_robot import is_same_robot
+from tests.same_robot import is_same_robot
 from yamaro import Robot
 from yamaro.model.compare import compare, count_defaults
 from yamaro.source import Source

@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from tests.model.robots import JOINTS
+from tests.tools_there import needs
 from yamaro import Robot, build
 from yamaro.commands.command_table import all_commands
 from yamaro.commands.main import main
@@ -200,11 +201,13 @@ def robot(tmp_path: Path) -> str:
     return str(path)
 
 
+@needs("picture")
 def test_a_picture_needs_a_file_to_write(robot: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["picture", robot]) == 2
     assert "'yamaro picture' needs an output file: -o robot.png" in capsys.readouterr().err
 
 
+@needs("picture")
 def test_what_is_wrong_with_a_picture_is_told_before_the_robot_is_read(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
@@ -212,13 +215,15 @@ def test_what_is_wrong_with_a_picture_is_told_before_the_robot_is_read(
     assert "'--size'" in capsys.readouterr().err
 
 
+@needs("picture")
 def test_picture_options_mean_nothing_to_other_commands(
     robot: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert main(["tree", robot, "--turn"]) == 2
-    assert "'--turn' cannot be used with 'yamaro tree'" in capsys.readouterr().err
+    assert main(["check", robot, "--turn"]) == 2
+    assert "'--turn' cannot be used with 'yamaro check'" in capsys.readouterr().err
 
 
+@needs("picture")
 @pytest.mark.parametrize("module", ["vtkmodules", "PIL", "trimesh"])
 def test_a_missing_package_tells_what_to_install(
     module: str,
@@ -239,6 +244,7 @@ def test_a_missing_package_tells_what_to_install(
     assert "pip install 'yamaro[picture]'" in error
 
 
+@needs("picture")
 def test_a_vtk_that_would_end_the_process_is_refused(
     robot: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -248,6 +254,7 @@ def test_a_vtk_that_would_end_the_process_is_refused(
     assert "needs vtk 9.6 or newer, and this is 9.5" in capsys.readouterr().err
 
 
+@needs("picture")
 def test_help_of_pictures_tells_of_its_options(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["picture", "--help"]) == 0
     text = capsys.readouterr().out
@@ -255,6 +262,7 @@ def test_help_of_pictures_tells_of_its_options(capsys: pytest.CaptureFixture[str
         assert option in text
 
 
+@needs("picture")
 def test_a_shell_offers_the_views_and_what_can_be_shown() -> None:
     offered = {option.name: option.completes for option in options_of(all_commands()["picture"])}
     assert set(offered["view"].split()) == set(NAMED_VIEWS)

@@ -9,10 +9,12 @@ import pytest
 import yamaro
 from tests.consumers.oracles import require_module
 from tests.picture.drawing import needs_drawing, pixels
+from tests.tools_there import needs
 from yamaro.commands.main import main
 from yamaro.policy import Policy
 
 
+@needs("sweep")
 @needs_drawing
 def test_the_variants_that_stand_out_are_drawn_to_scale(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -17,10 +17,10 @@ from pathlib import Path
 
 import pytest
 
+from tests import chromium
+from tests.chromium import Chromium
 from tests.consumers.oracles import missing
 from tests.serving import served
-from tests.tools.view import chromium
-from tests.tools.view.chromium import Chromium
 from tests.waiting import PATIENCE
 from yamaro import YamaroError, build
 

@@ -107,13 +107,6 @@ def test_xacro_without_a_jail_asks_for_trust(
         opened(tmp_path / "robot.xacro", XACRO, mode="safe")
 
 
-def test_the_tree_of_a_urdf_is_shown(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    path = tmp_path / "robot.urdf"
-    path.write_text(URDF)
-    assert main(["tree", str(path)]) == 0
-    assert "2 links, 1 joint" in capsys.readouterr().out
-
-
 def test_a_urdf_is_compiled_to_itself(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / "robot.urdf"
     path.write_text(URDF)

@@ -11,7 +11,6 @@ import pytest
 
 from tests.consumers.oracles import missing
 from tests.site.conftest import ROOT, Site
-from tests.tools.view.conftest import Viewer
 
 pytestmark = pytest.mark.slow
 
@@ -58,10 +57,11 @@ def violations(site: Site) -> Callable[[], list[str]]:
 @pytest.fixture
 def view(tmp_path: Path) -> Iterator[str]:
     """Return the address of a robot in `yamaro view`."""
+    conftest = pytest.importorskip("tests.tools.view.conftest", reason="without view")
     text = (ROOT / "examples" / "quadruped" / "quadruped.yaml").read_text(encoding="utf-8")
     path = tmp_path / "quadruped.yaml"
     path.write_text(text, encoding="utf-8")
-    viewer = Viewer(path)
+    viewer = conftest.Viewer(path)
     yield viewer.url
     viewer.close()
 

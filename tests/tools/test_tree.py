@@ -2,10 +2,17 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
+from pathlib import Path
+
 import pytest
 
 from tests.counting import calls_of
+from tests.waiting import PATIENCE
 from yamaro import Robot
+from yamaro.commands.main import main
 from yamaro.model.reading import read_robot
 from yamaro.tools.tree.text import render_tree
 
@@ -231,3 +238,55 @@ def test_names_cannot_steer_the_terminal() -> None:
     root = robot(link("a")).element
     root.attributes["name"] = "x\033[2J\ny"
     assert "x\\x1b[2J\\x0ay: 1 link" in render_tree(read_robot(root))
+
+
+# --- the command ------------------------------------------------------------------------------
+
+ROBOT = """\
+robot: arm
+model:
+  link/name=base:
+  link/name=tool:
+  joint/name=tool_joint, type=fixed:
+    parent/link=base:
+    child/link=tool:
+"""
+
+
+def test_tree_shows_the_robot_and_no_xml(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "robot.yaml"
+    path.write_text(ROBOT)
+    status, (out, err) = main(["tree", str(path), "-q"]), capsys.readouterr()
+    assert (status, err) == (0, "")
+    assert out.splitlines()[1] == "└─ tool  tool_joint  fixed"
+    assert out.splitlines()[-1].startswith("arm: 2 links, 1 joint (0 movable)")
+
+
+def test_tree_is_drawn_in_ascii_where_the_encoding_asks_for_it(tmp_path: Path) -> None:
+    (tmp_path / "robot.yaml").write_text(ROBOT)
+    result = subprocess.run(
+        [sys.executable, "-m", "yamaro", "tree", tmp_path / "robot.yaml", "-q"],
+        env={**os.environ, "PYTHONIOENCODING": "ascii"},
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        timeout=PATIENCE,
+        check=False,
+    )
+    assert result.stdout.splitlines()[1] == b"`- tool  tool_joint  fixed"
+
+
+def test_tree_of_other_xml_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "world.yaml"
+    path.write_text("sdf/version='1.11':\n  world/name=w:\n")
+    status, (out, err) = main(["tree", str(path)]), capsys.readouterr()
+    assert (status, out) == (2, "")
+    assert "'yamaro tree' shows robots, and this is a <sdf>" in err
+
+
+def test_the_tree_of_a_urdf_is_shown(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "robot.urdf"
+    path.write_text(f'<robot name="r">{link("a")}{link("b")}{joint("a", "b")}</robot>')
+    assert main(["tree", str(path)]) == 0
+    assert "2 links, 1 joint" in capsys.readouterr().out

@@ -540,3 +540,11 @@ def test_an_address_in_a_format_that_is_not_written_is_wrong_usage(
     assert status == 2
     assert "there is no mjcf of this robot: the link 'arm_link'" in err
     assert outcome(capsys, "why", "--to", "sdf,mjcf", "robot.yaml", "x")[0] == 2
+
+
+@pytest.mark.parametrize("model", ["", " ~", " []", " {}"])
+def test_why_of_an_empty_model_is_an_error(model: str, capsys: pytest.CaptureFixture[str]) -> None:
+    Path("empty.yaml").write_text(f"model:{model}\n")
+    status, _, err = outcome(capsys, "why", "empty.yaml", "a")
+    assert status in (1, 2)
+    assert "internal error" not in err

@@ -10,6 +10,7 @@ import pytest
 
 import yamaro
 from tests.consumers import oracles, usd_judges
+from tests.tools_there import needs
 
 FOLDER = Path(__file__).parents[3] / "examples"
 EXAMPLES = [
@@ -111,6 +112,7 @@ def test_gains_that_are_not_given_are_those_of_mjcf(
     assert "actuator" not in "".join(loss.what for loss in build.losses)
 
 
+@needs("why")
 def test_gains_lead_to_where_they_are_written(tmp_path: Path) -> None:
     from yamaro.tools.why.answers import answer
 

@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
+from tests.same_robot import is_same_robot
 from tests.tools.migrate.migrating import assert_in_style
-from tests.tools.migrate.same_robot import is_same_robot
 from tests.tools.migrate.test_xacro_migration import HEAD, hold_for, migrated
 from yamaro import build
 from yamaro.policy import Limits

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from textwrap import dedent, indent
 
-from tests.tools.migrate.same_robot import is_same_robot
+from tests.same_robot import is_same_robot
 from yamaro.api import build
 from yamaro.codes import ADJUSTABLE
 from yamaro.layout import formatted

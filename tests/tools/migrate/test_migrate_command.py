@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.tools.migrate.same_robot import is_same_robot
+from tests.same_robot import is_same_robot
 from tests.waiting import PATIENCE
 from yamaro import api
 from yamaro.commands import reports as usage

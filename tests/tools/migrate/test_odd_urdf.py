@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.effort import examples
-from tests.tools.migrate.same_robot import is_same_robot
+from tests.same_robot import is_same_robot
 from yamaro import build
 from yamaro.codes import ADJUSTABLE
 from yamaro.source import Source

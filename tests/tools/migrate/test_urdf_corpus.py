@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.tools.migrate.same_robot import is_same_robot
+from tests.same_robot import is_same_robot
 from yamaro.api import build
 from yamaro.policy import Limits
 from yamaro.tools.migrate.urdf import migrate_file

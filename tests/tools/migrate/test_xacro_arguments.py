@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.same_robot import is_same_robot
 from tests.tools.migrate.against_xacro import migrated_for, model_of
-from tests.tools.migrate.same_robot import is_same_robot
 from tests.tools.migrate.test_xacro_migration import HEAD, migrated
 from yamaro import build
 from yamaro.codes import ADJUSTABLE

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.same_robot import is_same_robot
 from tests.tools.migrate.migrating import assert_in_style
-from tests.tools.migrate.same_robot import is_same_robot
 from tests.xacro.test_corpus import CORPUS, UNKNOWN, real, rows
 from yamaro import build
 from yamaro.codes import ADJUSTABLE

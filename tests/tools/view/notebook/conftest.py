@@ -10,9 +10,9 @@ from typing import Any
 
 import pytest
 
+from tests import chromium
+from tests.chromium import Chromium
 from tests.consumers.oracles import missing
-from tests.tools.view import chromium
-from tests.tools.view.chromium import Chromium
 
 
 def html_of(result: Any) -> str:
