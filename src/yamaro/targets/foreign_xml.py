@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import INHERITED
+from ..model.recognition import SURFACE_TAGS
 from ..model.schema import ELEMENTS
 from ..model.values import attribute_text, content, numbers_in
 from ..xml.tree import Element
@@ -15,7 +16,6 @@ if TYPE_CHECKING:
     from ..diagnostics import Frame as Step
     from ..model.robot import Robot
 
-SURFACE_TAGS = frozenset(("mu1", "mu2", "kp", "kd"))
 IN_SENSORS = frozenset(
     """
     update_rate updateRate topic pose optical_frame_id

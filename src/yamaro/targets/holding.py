@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from functools import cache
 
-from ..model.schema import COLLISIONS, CONTROL, GROUP
+from ..model.schema import COLLISIONS, CONTROL, GROUP, MOMENTS
 from .output import APPROXIMATED, LOST
 
 TYPE_CHECKING = False
@@ -82,7 +82,7 @@ ROWS: dict[str, tuple[Cell, Cell, Cell, Cell]] = {
     "collision.name": ("name", "name", "name", "name"),
     "mass.value": ("value", "mass", "mass", "physics:mass"),
     **dict.fromkeys(
-        (f"inertia.{name}" for name in ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")),
+        (f"inertia.{name}" for name in MOMENTS),
         ("inertia", "inertia", "fullinertia", "physics:diagonalInertia"),
     ),
     "origin.xyz": ("xyz", "pose", "pos", "xformOp:translate"),

@@ -9,8 +9,10 @@ Source: the conversion of URDF in SDFormat, parser_urdf.cc, and the specificatio
 from __future__ import annotations
 
 from ...diagnostics import INHERITED
+from ...model.recognition import SURFACE_TAGS as READ_TAGS  # of links with collisions
 from ...model.values import attribute_text, content, numbers_in
 from ...xml.tree import Element
+from ..foreign_xml import FOR_LUMPING
 from ..output import LOST, Loss
 from ..tags import Tag
 
@@ -47,10 +49,6 @@ ODE_TAGS = {
     "fudgeFactor": "fudge_factor",
 }
 """Elements of a joint, and what they are for the physics engine ODE."""
-KNOWN = frozenset(("mu1", "mu2", "kp", "kd"))
-"""What the model of the robot has read, of links with collisions."""
-FOR_LUMPING = frozenset(("preserveFixedJoint", "disableFixedJointLumping", "disableJointLumping"))
-"""What has no meaning where nothing is lumped."""
 COPIED = frozenset(("plugin", "gripper"))
 TRUE = frozenset(("1", "true"))
 
@@ -126,7 +124,7 @@ class GazeboBlocks:
     def _is_read(self, each: Element, reference: str | None) -> bool:
         """Return whether the model of the robot has read an element of a link's surface."""
         link = self._robot.links.get(reference or "")
-        if each.name not in KNOWN or link is None or not link.collisions:
+        if each.name not in READ_TAGS or link is None or not link.collisions:
             return False
         return len(numbers_in(content(each))) == 1
 

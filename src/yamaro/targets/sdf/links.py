@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...model.schema import MOMENTS
 from ..inertia import ROUNDING, written_moments
 from ..output import APPROXIMATED, LOST, Loss
 from ..sdf_sensors import details_of, times_of, type_of
@@ -91,8 +92,7 @@ def _is_tight(inertia: tuple[float, ...], principal: Principal) -> bool:
 
 
 def _inertia_tag(inertia: tuple[float, ...]) -> Tag:
-    names = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
-    return Tag("inertia", given(*zip(names, inertia, strict=True)))
+    return Tag("inertia", given(*zip(MOMENTS, inertia, strict=True)))
 
 
 def inertial_of_nothing(link: Link, losses: list[Loss]) -> Tag:
