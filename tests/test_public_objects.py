@@ -149,7 +149,7 @@ def test_what_is_said_of_an_object_is_what_is_known_of_it(tmp_path: Path) -> Non
     assert repr(build) == f"<Build of {file}: urdf>"
     assert repr(robot.states["home"]) == "<State 'home': {'head_joint': 0.5}>"
     limit = robot.joints["ear_joint"].limit
-    assert repr(limit).startswith("<Limit effort=5.0 lower=-0.09 upper=0.09 velocity=3.0 at ")
+    assert repr(limit).startswith("<Limit lower=-0.09 upper=0.09 effort=5.0 velocity=3.0 at ")
     assert repr(limit).endswith("rover.yaml:37:7>")
     assert repr(yamaro.load(file)) == f"<Program {str(file)!r}>"
     assert repr(yamaro.Policy("safe", timeout=3)) == "<Policy mode='safe' timeout=3>"

@@ -10,6 +10,7 @@ import pytest
 from tests.model import full_robot
 from tests.model.full_robot import ROWS, changed
 from yamaro import Build, build
+from yamaro.model import extras
 from yamaro.model import joint as joints
 from yamaro.model.quantities import BY_JOINT, DIMENSIONS, unit_of
 from yamaro.model.schema import ELEMENTS, KEPT, NEGATED, SENSORS, TEXT, WORDS
@@ -66,15 +67,17 @@ def test_the_full_robot_is_the_same_as_itself(folder: Path) -> None:
     assert not list(again.robot.changes(again.robot))
 
 
-def test_parts_of_joints_have_the_fields_of_the_schema() -> None:
+def test_objects_of_the_model_have_the_fields_of_the_schema() -> None:
     for name, kind in (
         ("limit", joints.Limit),
         ("mimic", joints.Mimic),
         ("dynamics", joints.Dynamics),
         ("safety_controller", joints.SafetyController),
         ("calibration", joints.Calibration),
+        ("actuator", extras.Actuator),
+        ("surface", extras.Surface),
     ):
-        assert set(kind.__slots__) == set(ELEMENTS[name].fields)
+        assert set(kind.__annotations__) == set(THINGS[name].fields)
 
 
 def test_each_kind_of_number_has_a_dimension_and_each_field_help() -> None:

@@ -259,7 +259,7 @@ class Actuator(Noted):
         commands: all commands that it takes; files may say others than these three.
     """
 
-    __slots__ = ("armature", "command", "commands", "gear", "joint", "kd", "kp")
+    __slots__ = (*ACTUATOR.fields, "commands", "joint")
 
     command: str
     kp: float | None
@@ -287,9 +287,7 @@ class Surface(Noted):
         damping: in N·s/m.
     """
 
-    __slots__ = (
-        "damping", "friction", "friction2", "index", "link", "restitution", "stiffness",
-    )  # fmt: skip
+    __slots__ = (*SURFACE.fields, "index", "link")
 
     friction: float | None
     friction2: float | None
@@ -309,7 +307,7 @@ class Surface(Noted):
 
     def values(self) -> tuple[float | None, ...]:
         """Return friction, friction2, restitution, stiffness and damping."""
-        return (self.friction, self.friction2, self.restitution, self.stiffness, self.damping)
+        return tuple([getattr(self, name) for name in SURFACE.fields])
 
 
 class State(Noted):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import pi
 
+from .schema import ELEMENTS
 from .values import ReadLater, Written
 
 TYPE_CHECKING = False
@@ -36,9 +37,7 @@ class Limit(Written):
         jerk: in rad/s³ or m/s³.
     """
 
-    __slots__ = (
-        "acceleration", "deceleration", "effort", "jerk", "lower", "upper", "velocity",
-    )  # fmt: skip
+    __slots__ = tuple(ELEMENTS["limit"].fields)
 
     lower: float
     upper: float
@@ -58,7 +57,7 @@ class Mimic(Written):
         offset: in radians or metres; 0 by default.
     """
 
-    __slots__ = ("joint", "multiplier", "offset")
+    __slots__ = tuple(ELEMENTS["mimic"].fields)
 
     joint: str
     multiplier: float
@@ -68,7 +67,7 @@ class Mimic(Written):
 class Dynamics(Written):
     """Damping (N·m·s/rad or N·s/m) and friction (N·m or N) of a joint; 0 by default."""
 
-    __slots__ = ("damping", "friction")
+    __slots__ = tuple(ELEMENTS["dynamics"].fields)
 
     damping: float
     friction: float
@@ -77,7 +76,7 @@ class Dynamics(Written):
 class SafetyController(Written):
     """The limits that a controller keeps to; see http://wiki.ros.org/pr2_controller_manager."""
 
-    __slots__ = ("k_position", "k_velocity", "soft_lower_limit", "soft_upper_limit")
+    __slots__ = tuple(ELEMENTS["safety_controller"].fields)
 
     soft_lower_limit: float
     soft_upper_limit: float
@@ -93,7 +92,7 @@ class Calibration(Written):
         reference_position: the reference; older files have it, and urdfdom's schema.
     """
 
-    __slots__ = ("falling", "reference_position", "rising")
+    __slots__ = tuple(ELEMENTS["calibration"].fields)
 
     rising: float | None
     falling: float | None
