@@ -242,11 +242,18 @@ def short_sections() -> str:
     return table("of | keys", [(text, coded(WORDS[name].fields)) for text, name in words.items()])
 
 
+def values(things: Iterable[Thing], head: str) -> str:
+    """Return the values of things, for the API."""
+    return table(head, [(f"`{thing.name}`", coded(thing.fields, ", ")) for thing in things])
+
+
 TABLES: dict[str, Callable[[], str]] = {
     "joint": of_joints,
     "sensors": sensors,
     "units": units,
     "formats": holding,
+    "joint values": partial(values, OF_JOINT, "of a joint | values"),
+    "word values": partial(values, [WORDS["actuator"], WORDS["surface"]], "each | values"),
     "short joints": short_joints,
     "short words": short_words,
     "short sections": short_sections,
