@@ -32,6 +32,7 @@ from yamaro.model.schema import (  # noqa: E402
 )
 from yamaro.targets.holding import FORMATS, ROWS, Cell, Missing  # noqa: E402
 from yamaro.targets.output import LOST  # noqa: E402
+from yamaro.targets.table import TARGETS  # noqa: E402
 from yamaro.units import UNITS, name_of  # noqa: E402
 
 BLOCK = re.compile(r"(<!-- schema: ([^\n]*) -->\n\n).*?(\n<!-- end of schema -->)", re.DOTALL)
@@ -177,7 +178,7 @@ def holding() -> str:
             rows.append(f"{coded(fields)} | {' | '.join(columns)}")
         things.setdefault("\n".join(rows), []).append(f"`{thing.name}`")
     return table(
-        "of | value | URDF | SDF | MJCF | USD",
+        "of | value | " + " | ".join(TARGETS[format].title for format in FORMATS),
         [
             ("" if number else ", ".join(names), row)
             for rows, names in things.items()
@@ -263,7 +264,6 @@ TABLES: dict[str, Callable[[], str]] = {
     },
 }
 """What writes each table, by the name in its mark."""
-assert set(FORMATS) == {"urdf", "sdf", "mjcf", "usd"}, "`holding` has a column for each"
 
 if __name__ == "__main__":
     sys.exit(main(sys.argv[1:]))

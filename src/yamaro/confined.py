@@ -30,8 +30,6 @@ if TYPE_CHECKING:
 GRACE = 2.0
 """Seconds that a conversion in a jail has to report that its time is over, before it is ended."""
 
-SCENE = "scene.xml"
-"""The one file beside a document that is not in `assets/`."""
 MOST_WANTED = 100
 """Packages that a conversion in a jail may want at once."""
 
@@ -220,9 +218,9 @@ def _first_output(outcome: Outcome, formats: Sequence[str], request: Request) ->
 
 def _is_file_name(name: str, format: str) -> bool:
     from .targets.output import is_file_stem
-    from .targets.writers import ENDINGS
+    from .targets.table import TARGETS
 
-    ending = ENDINGS[format]
+    ending = TARGETS[format].ending
     return name.endswith(ending) and is_file_stem(name.removesuffix(ending))
 
 
@@ -230,6 +228,7 @@ def _build_of_document(document: Document, outcome: Outcome, request: Request) -
     from .result import Build
     from .sandbox.jail import JailAnswerBroken
     from .targets.losses import unpacked
+    from .targets.table import TARGETS
 
     has_own = document.robot is not None
     try:
@@ -241,7 +240,7 @@ def _build_of_document(document: Document, outcome: Outcome, request: Request) -
         file_name = document.file_name
         if not _is_file_name(file_name, document.format):
             raise JailAnswerBroken("the answer does not name its file")
-    if not all(name == SCENE or name.startswith("assets/") for name in document.assets or ()):
+    if not all(map(TARGETS[document.format].may_hold, document.assets or ())):
         raise JailAnswerBroken("the answer holds a file of another name")
     return Build(
         lambda: outcome.meshes,

@@ -82,7 +82,6 @@ DEFAULTS: dict[str, object] = {
     "partial": False,
 }
 """The keywords of `yamaro.build`, with what they are by default."""
-BINARY_USD = (".usdc", ".usdz")
 """The endings of files of USD that are not text, by which OpenUSD knows how to read them."""
 OF_FILES = ("text", "loader", "policy", "packages")
 """Those that hold for all builds of a program, since its files are read once."""
@@ -203,21 +202,25 @@ class Options:
             if fault is not None:
                 raise UsageError(fault)
         if self.base is not None:
-            from .targets.writers import BASES
+            from .targets.table import BASES
 
             _check_choice("base", self.base, BASES)
         if self.sdf_version is not None:
-            from .targets.writers import SDF_VERSIONS
+            from .targets.table import TARGETS
 
-            _check_choice("version of SDF", self.sdf_version, SDF_VERSIONS)
+            _check_choice("version of SDF", self.sdf_version, TARGETS["sdf"].versions)
         ending = os.path.splitext(self.output or "")[1].lower()
-        if "usd" in (self.target or ()) and ending in BINARY_USD:
+        if self.target and ending:
+            from .targets.table import TARGETS
+
             stem = os.path.splitext(os.path.basename(self.output or ""))[0]
-            raise UsageError(
-                f"USD is written as text, which '{ending}' files are not: name it {stem}.usda or "
-                f"{stem}.usd; OpenUSD converts it: "
-                f"Usd.Stage.Open('{stem}.usda').Export('{stem}.usdc')"
-            )
+            for target in (TARGETS[name] for name in self.target):
+                if ending in target.refused:
+                    names = [stem + each for each in target.endings if each not in target.refused]
+                    raise UsageError(
+                        f"{target.title} is written as text, which '{ending}' files are not: name "
+                        f"it {' or '.join(names)}; {target.conversion.format(stem)}"
+                    )
         if self.meshes == COPY and self.output is None:
             raise UsageError(
                 "'copy' needs an output file (-o FILE); the meshes are copied beside it"
@@ -265,13 +268,13 @@ def _codes(codes: Iterable[str]) -> frozenset[str]:
 def _formats(target: str | Sequence[str] | None) -> tuple[str, ...] | None:
     if target is None:
         return None
-    from .targets.writers import ENDINGS
+    from .targets.table import TARGETS
 
     formats = [target] if isinstance(target, str) else list(dict.fromkeys(target))
     if not formats:
         raise UsageError("no output format is named")
     for format in formats:
-        _check_choice("output format", format, list(ENDINGS))
+        _check_choice("output format", format, list(TARGETS))
     return tuple(formats)
 
 

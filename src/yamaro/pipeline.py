@@ -5,8 +5,8 @@ when that is reached. A room is imported when a file needs it: a document withou
 nothing of `robot/`, and URDF without a word about what it cannot hold nothing of `targets/`.
 
 The file is run once for all formats if the run does not depend on the format: if nothing reads
-`target`, and no block for one format is reached. Otherwise it is run for each format; SRDF, which
-belongs to a URDF, uses the run of that.
+`target`, and no block for one format is reached. Otherwise it is run for each format, except for
+those that belong to another one, as SRDF does to URDF.
 """
 
 from __future__ import annotations
@@ -55,6 +55,8 @@ def run_pipeline(request: Request, library: Library, policy: Policy, say: Say) -
     formats = request.options.target
     if formats is None:
         return Run(request, library, policy, say).build()
+    from .targets.table import TARGETS
+
     said: set[str] = set()
     runs: dict[str, Run] = {}
     builds: dict[str, Build] = {}
@@ -62,7 +64,7 @@ def run_pipeline(request: Request, library: Library, policy: Policy, say: Say) -
     errors = Reporter()
     has_failed = False
     for format in formats:
-        name = URDF if format == "srdf" else format
+        name = TARGETS[format].run
         run = runs.get(name) or next((r for r in runs.values() if not r.depends_on_format), None)
         if run is None:
             say_once = _unless_said_before(said, say) if len(formats) > 1 else say
@@ -150,10 +152,10 @@ class Run:
         """
         request, found = self._request, self.diagnostics
         if format is not None:
-            from .targets.writers import SIMULATORS, assumed_base, found_for
+            from .targets.table import TARGETS, assumed_base, found_for
 
             found = found_for(format, found)
-            if format in SIMULATORS and not request.options.partial and not self.is_faulty:
+            if TARGETS[format].is_simulator and not request.options.partial and not self.is_faulty:
                 found += assumed_base(self._read_robot(), request.options.base)
         if self.is_faulty:
             raise self._failure(found)
@@ -193,15 +195,19 @@ class Run:
         request, interpreter = self._request, self._interpreter
         finder, is_urdf, file_name = request.finder, format in (None, URDF), ""
         if format is not None:
-            from .targets.writers import file_name_for
+            from .targets.table import file_name_for
 
             name = "" if self._robot is None else self._robot.name
             file_name = request.file_name or ""
             if request.file_name is None:
                 file_name = file_name_for(name, format, request.stem)
         output = self._written(format, file_name)
-        document, text = (self.root, "") if output is None else (output.root, output.text)
-        finished = document if is_urdf else self.root
+        finished = document = self.root
+        text = None  # of formats that are not XML
+        if output is not None:
+            document = output.root or self.root
+            finished = document if is_urdf else self.root
+            text = output.text if output.text or output.root is None else None
         if is_urdf and self._has_files:
             document = request.paths.applied_to(document)
         noted = interpreter.noted
@@ -211,13 +217,13 @@ class Run:
             copies=request.copies,
             finished=finished,
             notes=self.notes,
-            pieces=[text] if text else write_pieces(document, interpreter.limits),
+            pieces=write_pieces(document, interpreter.limits) if text is None else [text],
             warnings=request.reporter.diagnostics,
             files=list(interpreter.files.read),
             noted=() if noted is None else noted.readings(),
             format=format or URDF,
             file_name=file_name,
-            document=None if is_urdf else document,
+            document=None if document is self.root or is_urdf else document,
             losses=() if output is None or format is None else output.losses,
             assets=None if output is None or is_urdf else output.files,
         )
@@ -239,7 +245,7 @@ class Run:
         from .model.kinematics import base_of
         from .model.reading import read_robot
         from .targets.output import Wanted
-        from .targets.writers import write_target
+        from .targets.table import TARGETS, write_target
 
         if format in (None, URDF):  # what is in elements of URDF stays as it is
             robot = read_robot(self.root, notes=self.notes, recognizes=False)
@@ -254,7 +260,7 @@ class Run:
             has_meshes=options.meshes != NONE,
             has_gazebo=options.gazebo,
             repairs_inertia=options.repair_inertia,
-            version=options.sdf_version or "" if format == "sdf" else "",
+            version=options.sdf_version or "" if TARGETS[format or URDF].versions else "",
             file_name=file_name,
             progress=options.on_progress,
         )

@@ -137,13 +137,14 @@ class Request:
 
     def looks_for(self, code: str) -> bool:
         """Return whether a finding with a code is reported here wherever there is one."""
-        from .targets.writers import SIMULATORS, URDF_ONLY
+        from .targets.table import TARGETS
 
         formats = self.options.target or ("urdf",)
-        if code in URDF_ONLY:
-            return "urdf" in formats
+        for target in TARGETS.values():
+            if code in target.own_codes:
+                return target.name in formats
         if code == "base-assumed":
-            return not set(SIMULATORS).isdisjoint(formats)
+            return any(TARGETS[name].is_simulator for name in formats)
         if code in _OF_THIS_MACHINE or ".srdf" in self.source.name.lower():
             return False
         return "-in-" not in code or code.partition("-in-")[2] in formats

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from .model.robot import Robot
     from .source import Reading
     from .targets.assets import Assets
-    from .targets.output import Loss
+    from .targets.losses import Loss
     from .xml.tree import Element
 
 PIECES_IN_CHUNK = 10_000

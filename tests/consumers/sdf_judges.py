@@ -18,7 +18,7 @@ import numpy as np
 from lxml import etree
 
 from yamaro.model import Robot
-from yamaro.targets.output import Loss
+from yamaro.targets.losses import Loss
 
 DESCRIPTIONS = Path("/usr/share/sdformat12/1.9")
 """The elements of SDFormat 1.9, as libsdformat describes them to itself."""

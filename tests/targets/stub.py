@@ -7,7 +7,8 @@ from types import ModuleType
 from typing import TYPE_CHECKING
 
 from yamaro.diagnostics import failure
-from yamaro.targets.output import APPROXIMATED, LOST, MARK, RENAMED, Loss, Output
+from yamaro.targets.losses import APPROXIMATED, LOST, RENAMED, Loss
+from yamaro.targets.output import MARK, Output
 from yamaro.xml.tree import Element
 
 if TYPE_CHECKING:
@@ -56,6 +57,6 @@ def _files(wanted: Wanted) -> dict[str, bytes]:
 def write_with_stub(monkeypatch: pytest.MonkeyPatch) -> None:
     """Have all formats but URDF written by `write`."""
     for format in ("sdf", "mjcf", "srdf", "usd"):
-        module = ModuleType(f"yamaro.targets.{format}")
+        module = ModuleType(f"yamaro.targets.{format}.writer")
         module.write = write  # type: ignore[attr-defined]
         monkeypatch.setitem(sys.modules, module.__name__, module)

@@ -17,7 +17,7 @@ import yaml
 import yamaro
 from tests.consumers import oracles
 from yamaro.result import Build
-from yamaro.targets.output import LOST, Loss
+from yamaro.targets.losses import LOST, Loss
 
 PATH = Path(__file__).with_name("full_robot.yaml")
 TEXT = PATH.read_text(encoding="utf-8")

@@ -12,7 +12,7 @@ from yamaro import Policy, UsageError, YamaroError, build, load
 from yamaro.sandbox.jail import check_available
 
 if TYPE_CHECKING:
-    from yamaro.targets.output import Loss
+    from yamaro.targets.losses import Loss
 
 ROBOT = """\
 base: fixed

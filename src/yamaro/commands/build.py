@@ -33,13 +33,6 @@ def run(arguments: Arguments, streams: Streams) -> int:
     return convert_file(arguments, streams, lambda build: build.encoded(), conclude=conclude)
 
 
-ENDINGS = {
-    **{f".{format}": format for format in ("sdf", "srdf", "mjcf")},
-    **dict.fromkeys((".usd", ".usda", ".usdc", ".usdz"), "usd"),
-}
-"""The endings that promise another format than URDF."""
-
-
 def _sum_up(build: Build, arguments: Arguments, streams: Streams) -> None:
     """Sum up what was written, for people: programs take what is said for complaints."""
     name = arguments.options["output"]
@@ -48,10 +41,14 @@ def _sum_up(build: Build, arguments: Arguments, streams: Streams) -> None:
 
         summary = summary_of_formats(build, arguments)
     else:
-        format = ENDINGS.get(os.path.splitext(name)[1].lower())
-        if format is not None and "<robot" in "".join(build.pieces[:8])[:200]:
-            says = f"{name} holds URDF; --to {format} writes {format.upper()}"
-            streams.say(f"yamaro: note: {says}")
+        ending = os.path.splitext(name)[1].lower()
+        if ending not in ("", ".urdf", ".xml") and "<robot" in "".join(build.pieces[:8])[:200]:
+            from ..targets.table import TARGETS
+
+            for target in TARGETS.values():
+                if ending in target.endings:  # it promises another format than URDF
+                    says = f"{name} holds URDF; --to {target.name} writes {target.title}"
+                    streams.say(f"yamaro: note: {says}")
         if not streams.is_terminal():
             return
         from .summary import summary_of

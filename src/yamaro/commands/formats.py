@@ -6,9 +6,8 @@ import os
 
 from ..files.regular import read_start
 from ..output import is_input, write_files
-from ..targets.assets import FOLDER
-from ..targets.output import MARK, marked
-from ..targets.writers import ENDINGS, TITLES
+from ..targets.output import FOLDER, MARK, START, marked
+from ..targets.table import TARGETS
 from .reports import (
     DONE,
     INPUT_ERROR,
@@ -31,17 +30,14 @@ if TYPE_CHECKING:
     from ..streams import Streams
     from .arguments import Arguments
 
-START = 200
-"""Characters in which a file that was generated says so."""
-
 
 def formats_in(arguments: Arguments) -> list[str]:
     """Return the formats that `--to` names; raise WrongUsage if one is unknown."""
     words = [word for text in arguments.lists.get("to", ()) for word in text.split(",")]
     formats = list(dict.fromkeys(word.strip().lower() for word in words if word.strip()))
     for format in formats:
-        if format not in ENDINGS:
-            hint = near(format, ENDINGS) or "; choose from " + ", ".join(ENDINGS)
+        if format not in TARGETS:
+            hint = near(format, TARGETS) or "; choose from " + ", ".join(TARGETS)
             raise WrongUsage(f"unknown output format {quote(format)}{hint}")
     return formats
 
@@ -54,7 +50,7 @@ def targets_in(arguments: Arguments) -> AllOptions:
     """
     formats = formats_in(arguments)
     if not formats:
-        raise WrongUsage("'--to' needs output formats: " + ", ".join(ENDINGS))
+        raise WrongUsage("'--to' needs output formats: " + ", ".join(TARGETS))
     if "sdf" not in formats and arguments.has("sdf-version"):
         raise WrongUsage("'--sdf-version' needs --to sdf")
     wanted: AllOptions = {
@@ -70,6 +66,8 @@ def targets_in(arguments: Arguments) -> AllOptions:
     if goes_to_standard_output(arguments):
         if len(formats) > 1:
             raise WrongUsage("several output formats need a folder: -o out/")
+        if TARGETS[formats[0]].is_folder:
+            raise WrongUsage(f"{TARGETS[formats[0]].title} needs a folder: -o out/")
     elif is_folder(arguments, formats):
         wanted["meshes"] = arguments.options.get("meshes", "copy")
     return wanted
@@ -78,17 +76,20 @@ def targets_in(arguments: Arguments) -> AllOptions:
 def is_folder(arguments: Arguments, formats: list[str]) -> bool:
     """Return whether the output is a folder.
 
-    It is where several formats are written, where its name ends in a slash, and where one is there.
+    It is where several formats are written, or one that is a folder; where its name ends in a
+    slash; and where one is there.
 
     Raises:
         WrongUsage: it has to be one, and is a file.
     """
     path = arguments.output_path
     has_slash = path.endswith((os.sep, os.altsep or os.sep))
-    is_one = has_slash or len(formats) > 1 or os.path.isdir(path)
+    needs_one = len(formats) > 1 or any(TARGETS[each].is_folder for each in formats)
+    is_one = has_slash or needs_one or os.path.isdir(path)
     if is_one and os.path.exists(path) and not os.path.isdir(path):
         name = quote(arguments.options["output"])
-        raise WrongUsage(f"{name} is a file, and several output formats need a folder: -o out/")
+        what = "several output formats need" if len(formats) != 1 else f"{formats[0]} needs"
+        raise WrongUsage(f"{name} is a file, and {what} a folder: -o out/")
     return is_one
 
 
@@ -113,8 +114,8 @@ def deliver_formats(
     if goes_to_standard_output(arguments):
         if any(name.startswith(f"{FOLDER}/") for name in build.assets):
             raise WrongUsage(
-                f"the {TITLES[build.format]} of this robot needs files of meshes beside it: name "
-                "it with -o FILE, or write --meshes none"
+                f"the {TARGETS[build.format].title} of this robot needs files of meshes beside it: "
+                "name it with -o FILE, or write --meshes none"
             )
         return deliver(chunks, arguments, streams)
     builds = list(build.outputs.values())
@@ -126,9 +127,17 @@ def deliver_formats(
     else:
         folder = os.path.dirname(arguments.output_path)
         named = {arguments.output_path: build}
-    documents = {path: b"".join(each.encoded()) for path, each in named.items()}
+    documents: dict[str, bytes] = {}
+    comments: dict[str, str] = {}
+    for path, each in named.items():
+        target = TARGETS[each.format]
+        if target.is_folder:
+            documents |= {os.path.join(path, name): data for name, data in each.assets.items()}
+        else:
+            documents[path] = b"".join(each.encoded())
+            comments[path] = target.comment
     try:
-        files = _beside(builds, folder)
+        files = _beside([each for each in builds if not TARGETS[each.format].is_folder], folder)
     except OSError as error:
         name = quote(os.fspath(error.filename or "a mesh"))
         streams.say(f"yamaro: error: cannot write {name}: {error.strerror or error}")
@@ -140,13 +149,13 @@ def deliver_formats(
                 raise WrongUsage(f"the output {quote(path)} is one of the input files")
     if has_folder:
         for path, document in documents.items():
-            is_mine = not _may_replace(path) and not _is_same(path, document)
-            if is_mine and not os.path.isdir(path):
+            is_users = not _may_replace(path) and not _is_same(path, document)
+            if is_users and not os.path.isdir(path):
                 raise WrongUsage(
                     f"{quote(os.path.relpath(path))} exists and does not say that Yamaro has "
                     "generated it: remove it, choose another folder, or name one file with -o"
                 )
-        documents = {path: marked(document) for path, document in documents.items()}
+        documents |= {path: marked(documents[path], each) for path, each in comments.items()}
     names = {path.casefold() for path in documents}  # which may be one file on some systems
     for path in [each for each in files if each.casefold() in names]:
         streams.say(
@@ -201,6 +210,6 @@ def summary_of(build: Build, arguments: Arguments) -> str:
     """Return what was written, in a line."""
     builds = list(build.outputs.values())
     is_one = not is_folder(arguments, [each.format for each in builds])
-    listed = TITLES[build.format] if is_one else ", ".join(each.file_name for each in builds)
+    listed = TARGETS[build.format].title if is_one else ", ".join(each.file_name for each in builds)
     count = len({name for each in builds for name in each.assets})
     return listed + (f", and {counted(count, 'file')} beside it" if count else "")

@@ -6,6 +6,7 @@ where it has an effect.
 
 from __future__ import annotations
 
+from ..targets.table import BASES, TARGETS
 from .command_table import BUILD, COMMANDS, all_commands, command_named, named_commands
 from .reports import WrongUsage, deliver, near, quote
 
@@ -24,6 +25,8 @@ WORKING = (
     "quiet", "trust", "jail", "safe", "timeout", "allow-path", "limit", "package", "color",
 )  # fmt: skip
 """Those of commands that run files."""
+FORMATS = ", ".join(TARGETS)
+SDF_VERSIONS = TARGETS["sdf"].versions
 WRITING = ("base", "repair-inertia", "sdf-version")
 """Those of commands that write output formats."""
 
@@ -156,13 +159,13 @@ OPTIONS = {
         ),
         Option(
             "to",
-            "write these output formats: urdf, sdf, mjcf, srdf, usd, separated by commas; several "
-            "need a folder: -o FOLDER/",
+            f"write these output formats: {FORMATS}, separated by commas; several need a folder: "
+            "-o FOLDER/",
             BOTH,
             value="FORMATS",
-            wants="urdf, sdf, mjcf, srdf or usd",
+            wants=" or ".join(FORMATS.rsplit(", ", 1)),
             is_repeatable=True,
-            completes="urdf sdf mjcf srdf usd",
+            completes=FORMATS.replace(",", ""),
             help_in={"check": "also report what these output formats cannot hold: urdf, sdf, ..."},
         ),
         Option(
@@ -172,7 +175,7 @@ OPTIONS = {
             BOTH,
             value="HOW",
             wants="fixed or free",
-            choices=("fixed", "free"),
+            choices=BASES,
         ),
         Option(
             "repair-inertia",
@@ -181,11 +184,11 @@ OPTIONS = {
         ),
         Option(
             "sdf-version",
-            "version of SDF: 1.11 (the default), 1.9 or 1.12",
+            f"version of SDF: {SDF_VERSIONS[0]} (the default), {' or '.join(SDF_VERSIONS[1:])}",
             BOTH,
             value="VERSION",
-            wants="1.11, 1.9 or 1.12",
-            choices=("1.11", "1.9", "1.12"),
+            wants=" or ".join(", ".join(SDF_VERSIONS).rsplit(", ", 1)),
+            choices=SDF_VERSIONS,
         ),
         Option(
             "gazebo",

@@ -1,4 +1,4 @@
-"""XML of a robot that is not URDF: of other programs, or of nobody."""
+"""XML in a robot that is not URDF: for one output format, or of other programs."""
 
 from __future__ import annotations
 
@@ -6,15 +6,17 @@ from ..diagnostics import INHERITED
 from ..model.recognition import SURFACE_TAGS
 from ..model.schema import ELEMENTS
 from ..model.values import attribute_text, content, numbers_in
-from ..xml.tree import Element
-from .output import LOST, Loss
+from ..xml.tree import Element, with_trace
+from .losses import Losses
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Collection
 
     from ..diagnostics import Frame as Step
+    from ..model.extras import RawXml
     from ..model.robot import Robot
+    from ..xml.tree import Element
 
 IN_SENSORS = frozenset(
     """
@@ -29,7 +31,7 @@ FOR_LUMPING = frozenset(("preserveFixedJoint", "disableFixedJointLumping", "disa
 """What is only about how Gazebo reads URDF."""
 
 
-def foreign_losses(robot: Robot, *, taken: Collection[str] = ()) -> list[Loss]:
+def foreign_losses(robot: Robot, *, taken: Collection[str] = ()) -> Losses:
     """Return the losses of a format that takes no XML of other programs.
 
     Sensors and surfaces in `<gazebo>` and actuators in `<transmission>` that the model of the robot
@@ -55,24 +57,11 @@ def foreign_losses(robot: Robot, *, taken: Collection[str] = ()) -> list[Loss]:
         elif child.name == "transmission":
             walk.check_transmission(child, trace)
         else:
-            walk.lose(f"<{child.name}> elements", "the robot", child, trace)
-    walk.losses += _outside_of_the_tree(robot)
+            walk.losses.lose_xml(f"<{child.name}> elements", child, label="the robot", trace=trace)
+    for joint in robot.all_joints:  # that join nothing, or a link that has another joint already
+        if robot.parent_joint(joint.child) is not joint:
+            walk.losses.lose("joints outside of the tree", joint)
     return walk.losses
-
-
-def _outside_of_the_tree(robot: Robot) -> list[Loss]:
-    """Return the losses of joints that join nothing, or a link that has another joint already."""
-    return [
-        Loss(
-            LOST,
-            "joints outside of the tree",
-            f"joint '{joint.name}'",
-            joint.span,
-            trace=joint.trace,
-        )
-        for joint in robot.all_joints
-        if robot.parent_joint(joint.child) is not joint
-    ]
 
 
 def _is_plain(element: Element) -> bool:
@@ -101,11 +90,7 @@ class _Walk:
         self._sensors: set[object] | None = None
         self._actuators: set[object] | None = None
         self._sound: set[int] = set()  # the identities of elements in which nothing is foreign
-        self.losses: list[Loss] = []
-
-    def lose(self, what: str, owner: str, element: Element, trace: Step | None) -> None:
-        """Note a loss."""
-        self.losses.append(Loss(LOST, what, owner, element.span, trace=trace))
+        self.losses = Losses()
 
     def check(self, element: Element, owner: str, trace: Step | None) -> None:
         """Note what URDF does not have in a link, joint or material."""
@@ -115,14 +100,13 @@ class _Walk:
         rule = ELEMENTS[element.name]
         for name in element.attributes:
             if name not in rule.fields and element.attributes[name] is not None:
-                span = element.name_span(name)
                 what = f"attributes '{name}' of <{element.name}>"
-                self.losses.append(Loss(LOST, what, owner, span, trace=trace))
+                self.losses.lose_xml(what, element, label=owner, trace=trace, field=name)
         for child in element.elements():
             if child.name in rule.children:
                 self.check(child, owner, trace if child.trace is INHERITED else child.trace)
             else:
-                self.lose(f"<{child.name}> elements", owner, child, trace)
+                self.losses.lose_xml(f"<{child.name}> elements", child, label=owner, trace=trace)
         if len(self.losses) == before:
             self._sound.add(id(element))
 
@@ -136,7 +120,8 @@ class _Walk:
             if child.name in ("sensor", "plugin") and self._is_sensor(child):
                 self._check_sensor(child, owner, trace)
                 continue
-            self.lose(f"Gazebo's <{child.name}> elements", owner, child, trace)
+            what = f"Gazebo's <{child.name}> elements"
+            self.losses.lose_xml(what, child, label=owner, trace=trace)
 
     def _is_surface(self, element: Element, reference: str | None) -> bool:
         """Return whether the model has the surface that an element is part of."""
@@ -149,11 +134,12 @@ class _Walk:
         """Note what a sensor says that the model of the robot does not have."""
         for child in element.elements():
             if child.name == "plugin":
-                self.lose("Gazebo's <plugin> elements", owner, child, trace)
+                self.losses.lose_xml("Gazebo's <plugin> elements", child, label=owner, trace=trace)
             elif child.elements():
                 self._check_sensor(child, owner, trace)
             elif child.name not in IN_SENSORS or (child.name == "mean" and _is_not_zero(child)):
-                self.lose("details of Gazebo's sensors", f"<{child.name}> in {owner}", child, trace)
+                what, label = "details of Gazebo's sensors", f"<{child.name}> in {owner}"
+                self.losses.lose_xml(what, child, label=label, trace=trace)
 
     def check_transmission(self, transmission: Element, trace: Step | None) -> None:
         """Note a transmission, or a joint of it, that gives the model no actuator.
@@ -165,12 +151,13 @@ class _Walk:
         joints = [child for child in transmission.elements() if child.name == "joint"]
         idle = [each for each in joints if each.span.key() not in self._actuators]
         name = f"'{attribute_text(transmission, 'name') or ''}'"
+        what = "transmissions that give no actuator"
         if len(idle) == len(joints):
-            self.lose("transmissions that give no actuator", name, transmission, trace)
+            self.losses.lose_xml(what, transmission, label=name, trace=trace)
             return
         for joint in idle:
             owner = f"joint '{attribute_text(joint, 'name') or ''}' of {name}"
-            self.lose("transmissions that give no actuator", owner, joint, trace)
+            self.losses.lose_xml(what, joint, label=owner, trace=trace)
 
     def _is_sensor(self, element: Element) -> bool:
         """Return whether the model has a sensor that is written there."""
@@ -183,3 +170,72 @@ class _Walk:
 def _is_not_zero(element: Element) -> bool:
     """Return whether the mean of a noise is one that no format but SDFormat has."""
     return any(numbers_in(content(element)))
+
+
+# --- the XML that a file holds for one output format, by what it belongs to -------------------
+
+
+class RawXmlOf:
+    """The elements for a format.
+
+    Attributes:
+        robot: those for the robot as a whole.
+    """
+
+    __slots__ = ("_left", "robot")
+
+    def __init__(self, robot: Robot, format: str) -> None:
+        """Gather the elements for a format of a robot."""
+        self._left: dict[tuple[str, str], list[RawXml]] = {}
+        self.robot: list[Element] = []
+        for raw in robot.raw(format):
+            if raw.link is not None:
+                self._left.setdefault(("link", raw.link), []).append(raw)
+            elif raw.joint is not None:
+                self._left.setdefault(("joint", raw.joint), []).append(raw)
+            else:
+                self.robot += _elements_of(raw)
+
+    def in_link(self, name: str) -> list[Element]:
+        """Return the elements for a link, once."""
+        return self._taken("link", name)
+
+    def in_joint(self, name: str) -> list[Element]:
+        """Return the elements for a joint, once."""
+        return self._taken("joint", name)
+
+    def left(self) -> Losses:
+        """Return the losses of elements that were not taken: what they are in is not written."""
+        found = Losses()
+        what, hint = "blocks in what is not an element", "write the block in another link or joint"
+        for (kind, name), blocks in self._left.items():
+            for raw in blocks:
+                found.lose(what, raw, label=f"{kind} '{name}'", hint=hint)
+        return found
+
+    def _taken(self, kind: str, name: str) -> list[Element]:
+        found = self._left.pop((kind, name), ())
+        return [element for raw in found for element in _elements_of(raw)]
+
+
+def _elements_of(raw: RawXml) -> list[Element]:
+    """Return the elements of a block, each with the calls and includes that led to it."""
+    return [
+        with_trace(each, raw.trace) if each.trace is INHERITED else each for each in raw.elements
+    ]
+
+
+def settings_in(elements: list[Element]) -> tuple[dict[str, Element], list[Element]]:
+    """Return the elements that are an attribute in a format without texts, and the others.
+
+    An element with only a text in it, such as `<armature>0.01</armature>`, says the attribute
+    `armature` of what it is in.
+    """
+    settings: dict[str, Element] = {}
+    rest: list[Element] = []
+    for element in elements:
+        if element.text().strip() and not element.elements() and not element.attributes:
+            settings[element.name] = element
+        else:
+            rest.append(element)
+    return settings, rest

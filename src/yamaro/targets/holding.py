@@ -4,21 +4,31 @@ A row is for one field of `model/schema.py`, with a cell for each format: the na
 format holds the value, or the loss that is reported for it. What is lost whatever its value is
 reported by going through the rows; what is approximated, or lost under some conditions only, is
 reported by the writer that meets it, and the row says so. A test fails for a field without a row.
-SRDF is read with a URDF, so that it loses nothing that it does not say; it has no cells.
+Formats that describe a part of a robot only, such as SRDF, have no cells.
+
+Below the table are the losses that several formats report in the same words.
 """
 
 from __future__ import annotations
 
 from functools import cache
 
-from ..model.schema import COLLISIONS, CONTROL, GROUP, MOMENTS
-from .output import APPROXIMATED, LOST
+from ..model.extras import CAMERAS, Ranger
+from ..model.joint import SINGLE, UNLIMITED
+from ..model.schema import COLLISIONS, CONTROL, ELEMENTS, GROUP, MOMENTS
+from .gains import EFFORT, VELOCITY
+from .losses import APPROXIMATED, LOST, Losses
+from .table import TARGETS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Container, Mapping
 
-FORMATS = ("urdf", "sdf", "mjcf", "usd")
+    from ..model.extras import Actuator, Sensor
+    from ..model.joint import Joint
+    from ..model.robot import Robot
+
+FORMATS = tuple(each.name for each in TARGETS.values() if each.is_whole)
 """The formats of the cells of a row, in their order."""
 
 
@@ -217,4 +227,163 @@ def lost_fields(format: str, thing: str) -> Mapping[str, Missing]:
         own = cells[FORMATS.index(format)]
         if owner == thing and isinstance(own, Missing) and not own.is_conditional:
             found[field] = own
+    return found
+
+
+# --- sections -----------------------------------------------------------------------------------
+
+
+def lost_sections(
+    robot: Robot, *, states: bool = False, actuators: bool = False, controls: bool = False
+) -> Losses:
+    """Return the losses of a format without groups, and without what is named.
+
+    Args:
+        robot: the robot.
+        states: whether named positions are lost.
+        actuators: whether actuators are lost.
+        controls: whether the hardware that drives joints is lost.
+    """
+    found = Losses()
+    for actuator in robot.actuators.values() if actuators else ():
+        found.lose("actuators", actuator)
+    for control in robot.controls if controls else ():
+        found.lose("blocks of ros2_control", control, label=f"'{control.name or robot.name}'")
+    for state in robot.states.values() if states else ():
+        found.lose("states", state, hint=SRDF_HINT)
+    for group in robot.groups.values():
+        found.lose("groups", group, hint=SRDF_HINT)
+    if robot.collision_settings is not None:
+        what, settings = "`collisions` sections", robot.collision_settings
+        found.lose(what, settings, label="the robot", hint=SRDF_HINT)
+    return found
+
+
+# --- joints -------------------------------------------------------------------------------------
+
+
+def leader_of(robot: Robot, joint: Joint) -> Joint | None:
+    """Return the joint that a joint follows; None if it follows none, or one of them cannot."""
+    if joint.mimic is None or joint.type not in SINGLE:
+        return None
+    leader = robot.joints.get(joint.mimic.joint)
+    return leader if leader is not None and leader.type in SINGLE else None
+
+
+def lost_of_joints(
+    robot: Robot,
+    format: str,
+    *,
+    has_mimic: bool = True,
+    has_dynamics: Container[str] = (),
+    mimic_hint: str = "",
+) -> Losses:
+    """Return what a format has no place for in the joints of the tree, as its rows say.
+
+    Args:
+        robot: the robot.
+        format: the format.
+        has_mimic: whether this version of it has joints that follow others, if the format has.
+        has_dynamics: which types of joints of no or several numbers have damping and friction.
+        mimic_hint: what to do about joints that follow others.
+    """
+    has_mimic = has_mimic and not lost_fields(format, "mimic")
+    found, of_dynamics = Losses(), Losses()
+    for joint in robot.joints.values():
+        if robot.parent_joint(joint.child) is not joint:
+            continue  # all of it is lost
+        limit, dynamics, mimic = joint.limit, joint.dynamics, joint.mimic
+        if joint.type in SINGLE:
+            if limit is not None:
+                for name, missing in lost_fields(format, "limit").items():
+                    value = limit.number(name)
+                    if value is not None and abs(value) < UNLIMITED:
+                        found.lose(missing.what, joint, part=limit, field=name)
+            if dynamics is not None:
+                for name, missing in lost_fields(format, "dynamics").items():
+                    if dynamics.number(name):
+                        of_dynamics.lose(missing.what, joint, part=dynamics, field=name)
+        else:  # numbers that it has no use for; zeros mean nothing there
+            if limit is not None and any(map(limit.number, ELEMENTS["limit"].fields)):
+                found.lose(f"limits of {joint.type} joints", joint, part=limit)
+            if dynamics is not None and joint.type not in has_dynamics:
+                if dynamics.damping or dynamics.friction:
+                    what = f"damping and friction of {joint.type} joints"
+                    found.lose(what, joint, part=dynamics)
+        if mimic is not None and leader_of(robot, joint) is None:
+            found.lose("mimic joints that cannot follow another joint", joint, part=mimic)
+        elif mimic is not None and not has_mimic:
+            found.lose("mimic joints", joint, part=mimic, hint=mimic_hint)
+        for name, part in (
+            ("safety_controller", joint.safety_controller),
+            ("calibration", joint.calibration),
+        ):
+            if part is not None:  # all of it is lost as one
+                for what in dict.fromkeys(each.what for each in lost_fields(format, name).values()):
+                    found.lose(what, joint, part=part)
+    found += of_dynamics
+    return found
+
+
+# --- actuators ----------------------------------------------------------------------------------
+
+
+def lost_of_actuator(actuator: Actuator) -> Losses:
+    """Return what a format loses whose actuators take one command each, with the gains of that.
+
+    The gains of a velocity actuator are one number, `kp` or else `kd`; an effort actuator has none.
+    """
+    lost = Losses()
+    if set(actuator.commands) - {actuator.command}:
+        lost.lose("further commands of actuators", actuator, field="command")
+    gains = [name for name in ("kp", "kd") if getattr(actuator, name) is not None]
+    if actuator.command == EFFORT:
+        for name in gains:
+            lost.lose("gains of effort actuators", actuator, field=name)
+    elif actuator.command == VELOCITY:
+        for name in gains[1:]:
+            lost.lose("second gains of velocity actuators", actuator, field=name)
+    return lost
+
+
+# --- sensors ------------------------------------------------------------------------------------
+
+
+def renamed_sensors(robot: Robot, *, but: Container[str] = ()) -> Losses:
+    """Return the sensors that the model calls otherwise, since their names are not unique.
+
+    Args:
+        robot: the robot.
+        but: the names of sensors that the format calls as they are written.
+    """
+    found = Losses()
+    for sensor in robot.sensors.values():
+        if sensor.written_name != sensor.name and sensor.name not in but:
+            label = f"sensor '{sensor.written_name}'"
+            found.rename("sensors", sensor, label=label, new=sensor.name)
+    return found
+
+
+def lost_of_sensor(sensor: Sensor, format: str) -> Losses:
+    """Return what a format has no place for in what all sensors have; cameras have no noise."""
+    found = Losses()
+    for name, missing in lost_fields(format, "sensor").items():
+        if getattr(sensor, name) is not None:
+            found.lose(missing.what, sensor, field=name)
+    if sensor.noise and sensor.type in CAMERAS:
+        found.lose("noise of cameras", sensor, field="noise")
+    return found
+
+
+def cones(robot: Robot, *, but: Container[str] = ()) -> Losses:
+    """Return what formats make of the cones of range sensors that measure along one ray.
+
+    Args:
+        robot: the robot.
+        but: the names of sensors that are written as they are.
+    """
+    found = Losses()
+    for sensor in robot.sensors.values():
+        if isinstance(sensor.details, Ranger) and sensor.details.fov and sensor.name not in but:
+            found.approximate("cones of range sensors", sensor, field="fov", how="one ray")
     return found

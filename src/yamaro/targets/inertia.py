@@ -13,7 +13,7 @@ from ..model.kinematics import from_the_roots
 from ..model.pose import Pose, multiply, transposed
 from ..xml.values import format_number
 from .bodies import Bodies
-from .output import APPROXIMATED, LOST, Loss
+from .losses import Losses
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -88,7 +88,7 @@ class Inertias:
             repairs: whether moments that no body can have are changed instead of refused.
         """
         self.by_link: dict[str, Principal] = {}
-        self.losses: list[Loss] = []
+        self.losses = Losses()
         self.errors: list[Diagnostic] = []
         for link in robot.links.values():
             inertial = link.inertial
@@ -108,14 +108,14 @@ class Inertias:
         for name in [name for name, each in self.by_link.items() if not each.mass]:
             link, own = robot.links[name], self.by_link.pop(name)
             carrier = bodies.carriers.get(name)
-            kind, how = LOST, ""
+            what = "inertias of links without mass"
             if carrier is not None and carrier != name and carrier in self.by_link:
-                kind, how = APPROXIMATED, "moments of the links that they are fixed to"
+                how = "moments of the links that they are fixed to"
+                self.losses.approximate(what, link, part=link.inertial, how=how)
                 turn = multiply(bodies.poses[name].rotation, own.pose.rotation)
                 self.by_link[carrier] = _sum(self.by_link[carrier], own.moments, turn)
-            what, owner = "inertias of links without mass", f"link '{name}'"
-            span = link.inertial.span if link.inertial is not None else link.span
-            self.losses.append(Loss(kind, what, owner, span, trace=link.trace, how=how))
+            else:
+                self.losses.lose(what, link, part=link.inertial)
 
     def _read(self, link: Link, inertial: Inertial, *, repairs: bool) -> Principal:
         moments, rotation = principal_axes(inertial.matrix())
@@ -153,16 +153,8 @@ class Inertias:
         what = "moments of inertia that no body has"
         if is_rounding:
             what = "moments of inertia that no body has because they are rounded"
-        self.losses.append(
-            Loss(
-                APPROXIMATED,
-                what,
-                f"link '{link.name}'",
-                inertial.span,
-                trace=inertial.trace_in(link),
-                how="the nearest that a body can have",
-            )
-        )
+        how = "the nearest that a body can have"
+        self.losses.approximate(what, link, part=inertial, how=how)
 
     # --- links that move and weigh nothing ---
 

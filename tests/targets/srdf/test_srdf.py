@@ -255,7 +255,7 @@ def _wanted() -> Any:
 
 def test_the_search_knows_how_distances_grow(tmp_path: Path) -> None:
     """The slope of a distance is that of differences, for joints that turn, slide and follow."""
-    from yamaro.targets.srdf.scene import Scene
+    from yamaro.targets.srdf.contacts import Scene
 
     ball = '<collision><geometry><sphere radius="0.05"/></geometry></collision>'
     rows = (

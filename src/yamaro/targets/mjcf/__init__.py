@@ -2,9 +2,3 @@
 
 Source: https://mujoco.readthedocs.io/en/stable/XMLreference.html.
 """
-
-from __future__ import annotations
-
-from .model import write
-
-__all__ = ["write"]

@@ -1,29 +1,265 @@
-"""Materials, textures and meshes as assets of a model."""
+"""Assets: materials, textures, and meshes in the two formats that MuJoCo reads.
+
+These are binary STL, and OBJ of one material.
+"""
 
 from __future__ import annotations
 
 import os
 from functools import partial
+from math import hypot
+from struct import Struct, iter_unpack
 
-from ...meshes.formats import NO_TRIANGLES, MeshFileError, MissingLibraryError
+from ...meshes.encoding import obj_of, obj_of_triangles, stl_of
+from ...meshes.formats import (
+    NO_TRIANGLES,
+    OBJ,
+    STL,
+    STL_HEADER_BYTES,
+    MeshFileError,
+    MissingLibraryError,
+    is_binary_stl,
+)
 from ...model.convex import outer_points
-from ..assets import FOLDER, named_by_content
+from ...sandbox.jail.protocol import pack, unpack
+from ..assets import named_by_content
+from ..elements import element
 from ..mesh_contents import MeshContents
-from ..output import APPROXIMATED, LOST
-from .meshes import FlatMeshError, collision_part, points_of, visual_parts
-from .names import MATERIAL, MESH, TEXTURE
-from .writing import Writing, made, row
+from ..output import FOLDER
+from .model import MATERIAL, MESH, TEXTURE, Writing
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ...diagnostics import Frame as Step
+    from collections.abc import Iterator
+
+    from ...meshes.surfaces import Surface
     from ...model.link import Collision, Color, Link, Material, Visual
     from ...model.pose import Vector
     from ...model.shapes import Mesh
     from ...model.values import Written
-    from .meshes import Part
+    from ..elements import Attributes
 
-    Attributes = dict[str, str | None]
+    Point = tuple[float, float, float]
+
+
+MOST_FACETS = 200_000
+"""Triangles of an STL that MuJoCo reads."""
+FLAT = 1e-6
+"""What is nearer to a plane than this part of its size is in it."""
+_MATERIAL_WORDS = (b"mtllib", b"usemtl")
+
+
+class FlatMeshError(MeshFileError):
+    """A mesh has no convex hull."""
+
+
+class Part:
+    """A file of a mesh, and how what is in it looks.
+
+    Attributes:
+        data: the file.
+        ending: of its name.
+        color: its colour, or None if the mesh says nothing of it.
+        texture: a PNG, or None.
+        is_mixed: whether the colour is the mean of those of its corners.
+    """
+
+    __slots__ = ("color", "data", "ending", "is_mixed", "texture")
+
+    def __init__(self, data: bytes, ending: str) -> None:
+        self.data = data
+        self.ending = ending
+        self.color: Color | None = None
+        self.texture: bytes | None = None
+        self.is_mixed = False
+
+
+def visual_parts(contents: MeshContents, path: str) -> list[Part]:
+    """Return a mesh to be seen, in a part for each colour and texture.
+
+    Raises:
+        MeshFileError, MissingLibraryError: see `MeshContents.surfaces_of`.
+    """
+    kept = _kept(contents, path)
+    if kept is not None and not _has_materials(kept):
+        return [kept]
+    converted = contents.kept(path, "mjcf visual", lambda: _packed(_visual_parts(contents, path)))
+    return _unpacked(converted)
+
+
+def _visual_parts(contents: MeshContents, path: str) -> list[Part]:
+    groups: dict[object, list[Surface]] = {}
+    for surface in contents.surfaces_of(path):
+        mixed = None if surface.point_colors is None else id(surface)
+        key = (surface.color, None if surface.texture is None else id(surface.texture), mixed)
+        groups.setdefault(key, []).append(surface)
+    return [_part(surfaces) for surfaces in groups.values()]
+
+
+def collision_part(contents: MeshContents, path: str) -> list[Part]:
+    """Return a mesh to collide with, in one part.
+
+    Raises:
+        FlatMeshError: all its corners are in a plane, so that it has no convex hull.
+        MeshFileError, MissingLibraryError: see `MeshContents.surfaces_of`.
+    """
+    part = _kept(contents, path)
+    if part is None:
+        part = Part(
+            contents.kept(path, "mjcf collision", lambda: obj_of(contents.surfaces_of(path))),
+            ".obj",
+        )
+    if is_flat(points_of(part)):
+        raise FlatMeshError("all its corners are in a plane")
+    return [part]
+
+
+def _kept(contents: MeshContents, path: str) -> Part | None:
+    """Return an STL or OBJ as it is, a text STL as binary one; None for other formats.
+
+    MuJoCo takes no STL of more than `MOST_FACETS`, so that such a one becomes an OBJ.
+    """
+    kind = contents.format_of(path)
+    data = contents.bytes_of(path)
+    if kind == OBJ:
+        return Part(data, ".obj")
+    if kind != STL:
+        return None
+    count = int.from_bytes(data[80:84], "little") if is_binary_stl(data) else None
+    if count is not None and 0 < count <= MOST_FACETS:
+        return Part(data, ".stl")
+    (part,) = _unpacked(contents.kept(path, "mjcf stl", lambda: _packed([_rewritten(data)])))
+    return part
+
+
+def _rewritten(data: bytes) -> Part:
+    """Return an STL as binary one, or as OBJ if it has too many triangles."""
+    from ...meshes.triangles import read_stl
+
+    mesh = read_stl(data)
+    if not mesh.triangles:
+        raise MeshFileError(NO_TRIANGLES)
+    if len(mesh.triangles) > MOST_FACETS:
+        return Part(obj_of_triangles(mesh), ".obj")
+    return Part(stl_of(mesh), ".stl")
+
+
+def points_of(part: Part) -> Iterator[Point]:
+    """Yield the corners of a part, one after the other."""
+    if part.ending == ".stl":
+        for corners in iter_unpack("<12x9f2x", memoryview(part.data)[STL_HEADER_BYTES:]):
+            x, y, z, *others = corners
+            yield (x, y, z)
+            yield (others[0], others[1], others[2])
+            yield (others[3], others[4], others[5])
+        return
+    for line in part.data.splitlines():
+        words = line.split()
+        if len(words) >= 4 and words[0] == b"v":
+            yield (float(words[1]), float(words[2]), float(words[3]))
+
+
+def is_flat(points: Iterator[Point]) -> bool:
+    """Return whether all points are in one plane; of most meshes it looks at a few."""
+    try:
+        origin = next(points, None)
+        if origin is None:
+            return True
+        first: Point | None = None
+        normal: Point | None = None
+        for point in points:
+            way = _minus(point, origin)
+            size = hypot(*way)
+            if first is None:
+                first = way if size else None
+            elif normal is None:
+                across = _cross(first, way)
+                normal = across if hypot(*across) > FLAT * hypot(*first) * size else None
+            elif abs(_dot(normal, way)) > FLAT * hypot(*normal) * max(size, hypot(*first)):
+                return False
+    except ValueError:  # what is not a number is for MuJoCo to say
+        return False
+    return True
+
+
+def _minus(a: Point, b: Point) -> Point:
+    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
+
+
+def _cross(a: Point, b: Point) -> Point:
+    x, y, z = a
+    u, v, w = b
+    return (y * w - z * v, z * u - x * w, x * v - y * u)
+
+
+def _dot(a: Point, b: Point) -> float:
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def _has_materials(part: Part) -> bool:
+    return part.ending == ".obj" and any(word in part.data for word in _MATERIAL_WORDS)
+
+
+def _part(surfaces: list[Surface]) -> Part:
+    """Return surfaces that look the same."""
+    first = surfaces[0]
+    has_texture = first.texture is not None and first.texture_points is not None
+    part = Part(obj_of(surfaces, has_texture=has_texture), ".obj")
+    if has_texture:
+        from ...meshes.encoding import encoded
+
+        assert first.texture is not None
+        part.texture = encoded(first.texture)
+    elif first.point_colors is not None:
+        mean = (first.point_colors.mean(axis=0) / 255).round(6).tolist()
+        part.color = (mean[0], mean[1], mean[2], mean[3])
+        part.is_mixed = bool((first.point_colors != first.point_colors[0]).any())
+    elif first.color is not None:
+        red, green, blue, alpha = first.color
+        part.color = (round(red, 6), round(green, 6), round(blue, 6), round(alpha, 6))
+    return part
+
+
+# --- in the cache -------------------------------------------------------------------------------
+
+_COLOR = Struct("<4d")
+
+
+def _packed(parts: list[Part]) -> bytes:
+    """Return parts as bytes."""
+    return pack(
+        [
+            pack(
+                [
+                    part.data,
+                    part.ending.encode(),
+                    b"" if part.color is None else _COLOR.pack(*part.color),
+                    part.texture or b"",
+                    b"mixed" if part.is_mixed else b"",
+                ]
+            )
+            for part in parts
+        ]
+    )
+
+
+def _unpacked(data: bytes) -> list[Part]:
+    """Return the parts that `_packed` made bytes of."""
+    parts = []
+    for each in unpack(data):
+        content, ending, color, texture, mixed = unpack(each)
+        part = Part(content, ending.decode())
+        if color:
+            red, green, blue, alpha = _COLOR.unpack(color)
+            part.color = (red, green, blue, alpha)
+        part.texture = texture or None
+        part.is_mixed = bool(mixed)
+        parts.append(part)
+    return parts
+
+
+# --- assets -----------------------------------------------------------------------------------
+
 
 MESH_HINT = "--meshes none leaves meshes out"
 
@@ -56,7 +292,7 @@ class Looks:
             return {}
         if not material.name:
             if material.texture is None and material.color is not None:
-                return {"rgba": row(_clipped(material.color))}
+                return {"rgba": _clipped(material.color)}
             return {"material": self._material(link, material, f"{link.name}_material")}
         if material.name not in self._materials:
             name = self._material(link, material, material.name)
@@ -66,15 +302,15 @@ class Looks:
     def _material(self, link: Link, material: Material, wanted: str) -> str:
         """Append a material of the robot, and return its name."""
         name = self._writing.names.fresh(MATERIAL, wanted)
-        trace = material.trace_in(link)
         texture = None
         if material.texture is not None:
             texture = self._texture_of(link, material)
-        rgba = row(_clipped(material.color)) if material.color is not None else None
-        attributes = {"name": name, "texture": texture, "rgba": rgba}
+        rgba = _clipped(material.color) if material.color is not None else None
+        attributes: Attributes = {"name": name, "texture": texture, "rgba": rgba}
         color = material.inner("color")
         places = {"rgba": color.value_span("rgba")} if color is not None else {}
-        self._writing.add("asset", made("material", material, attributes, trace, places))
+        made = element("material", attributes, owner=link, part=material, places=places)
+        self._writing.add("asset", made)
         return name
 
     def _texture_of(self, link: Link, material: Material) -> str | None:
@@ -87,36 +323,36 @@ class Looks:
         try:
             if path is not None:
                 data = self._contents.texture_of(path)
-                return self._texture(data, _stem(path), material, material.trace_in(link))
+                return self._texture(data, _stem(path), link, material)
         except (MeshFileError, MissingLibraryError):
             pass
-        owner = f"'{material.texture}' of link '{link.name}'"
         what = "textures that are not found or cannot be read"
-        self._writing.lose(LOST, what, owner, span, trace=material.trace_in(link))
+        label = f"'{material.texture}' of link '{link.name}'"
+        self._writing.losses.lose(what, link, part=material, label=label, span=span)
         return None
 
-    def _texture(self, data: bytes, stem: str, owner: Written, trace: Step | None) -> str:
+    def _texture(self, data: bytes, stem: str, link: Link, part: Written) -> str:
         """Append a texture, and return its name."""
         file = self._file(stem, ".png", data)
         if file not in self._textures:
             name = self._textures[file] = self._writing.names.fresh(TEXTURE, stem)
-            attributes = {"name": name, "type": "2d", "file": file}
-            self._writing.add("asset", made("texture", owner, attributes, trace))
+            attributes: Attributes = {"name": name, "type": "2d", "file": file}
+            self._writing.add("asset", element("texture", attributes, owner=link, part=part))
         return self._textures[file]
 
-    def _own_look(self, part: Part, stem: str, owner: Written, trace: Step | None) -> Attributes:
+    def _own_look(self, part: Part, stem: str, link: Link, visual: Visual) -> Attributes:
         """Return the material that a mesh brings along; nothing if it has none."""
         if part.color is None and part.texture is None:
             return {}
         texture = None
         if part.texture is not None:
-            texture = self._texture(part.texture, stem, owner, trace)
+            texture = self._texture(part.texture, stem, link, visual)
         key = (part.color, texture or "")
         if key not in self._colors:
             name = self._colors[key] = self._writing.names.fresh(MATERIAL, f"{stem}_material")
-            rgba = row(_clipped(part.color)) if part.color is not None else None
-            attributes = {"name": name, "texture": texture, "rgba": rgba}
-            self._writing.add("asset", made("material", owner, attributes, trace))
+            rgba = _clipped(part.color) if part.color is not None else None
+            attributes: Attributes = {"name": name, "texture": texture, "rgba": rgba}
+            self._writing.add("asset", element("material", attributes, owner=link, part=visual))
         return {"material": self._colors[key]}
 
     # --- meshes ---
@@ -127,23 +363,21 @@ class Looks:
         """Return the attributes of the geoms that show a mesh: one for each of its materials."""
         if not self._writing.wanted.has_meshes:
             return []
-        trace = visual.trace_in(link)
-        found = []
+        found: list[Attributes] = []
         has_own = False
-        stem = _stem(mesh.filename)
+        stem, label = _stem(mesh.filename), f"'{mesh.filename}' of link '{link.name}'"
+        losses = self._writing.losses
         for part in self._read(link, visual, mesh, is_visual=True):
-            name = self._mesh(part, stem, mesh, visual, trace)
+            name = self._mesh(part, stem, mesh, link, visual)
             if part.is_mixed:
-                owner, what = f"'{mesh.filename}' of link '{link.name}'", "colours of mesh corners"
-                span, how = visual.span, "their mean"
-                self._writing.lose(APPROXIMATED, what, owner, span, trace=trace, how=how)
-            own = self._own_look(part, stem, visual, trace)
+                what, how = "colours of mesh corners", "their mean"
+                losses.approximate(what, link, part=visual, label=label, how=how)
+            own = self._own_look(part, stem, link, visual)
             has_own |= bool(own)
             found.append({"type": "mesh", "mesh": name, **(own or look)})
         if has_own and look and visual.material is not None:
-            owner, span = f"'{mesh.filename}' of link '{link.name}'", visual.material.span
-            what = "materials of meshes that bring their own"
-            self._writing.lose(LOST, what, owner, span, trace=trace)
+            what, span = "materials of meshes that bring their own", visual.material.span
+            losses.lose(what, link, part=visual, label=label, span=span)
         return found
 
     def collision_mesh(self, link: Link, collision: Collision, mesh: Mesh) -> Attributes | None:
@@ -153,8 +387,7 @@ class Looks:
         parts = self._read(link, collision, mesh, is_visual=False)
         if not parts:
             return None
-        trace = collision.trace_in(link)
-        name = self._mesh(parts[0], _stem(mesh.filename), mesh, collision, trace)
+        name = self._mesh(parts[0], _stem(mesh.filename), mesh, link, collision)
         return {"type": "mesh", "mesh": name}
 
     def corners_of(self, mesh: Mesh) -> list[Vector]:
@@ -170,20 +403,26 @@ class Looks:
         a, b, c = mesh.scale
         return [(x * a, y * b, z * c) for x, y, z in self._corners[path]]
 
-    def _mesh(self, part: Part, stem: str, mesh: Mesh, owner: Written, trace: Step | None) -> str:
+    def _mesh(
+        self, part: Part, stem: str, mesh: Mesh, link: Link, shape: Visual | Collision
+    ) -> str:
         """Append a mesh of a size, and return its name."""
         file = self._file(stem, part.ending, part.data)
         key = (file, mesh.scale)
         if key not in self._meshes:
             name = self._meshes[key] = self._writing.names.fresh(MESH, stem)
-            scale = row(mesh.scale) if mesh.scale != (1.0, 1.0, 1.0) else None
             places = {}
             if mesh.element is not None:
-                places = {each: mesh.element.value_span(each) for each in ("scale",)}
+                places["scale"] = mesh.element.value_span("scale")
                 places["file"] = mesh.element.value_span("filename")
-            default = self._writing.classes.model
-            attributes = {"name": name, "class": default, "file": file, "scale": scale}
-            self._writing.add("asset", made("mesh", owner, attributes, trace, places))
+            attributes: Attributes = {
+                "name": name,
+                "class": self._writing.classes.model,
+                "file": file,
+                "scale": mesh.scale if mesh.scale != (1.0, 1.0, 1.0) else None,
+            }
+            made = element("mesh", attributes, owner=link, part=shape, places=places)
+            self._writing.add("asset", made)
         return self._meshes[key]
 
     def _read(
@@ -215,9 +454,8 @@ class Looks:
                     fail("bad-mesh", f"{label} cannot be read: {error}", MESH_HINT)
         if key in self._useless:
             what, hint = self._useless[key]
-            name = f"'{mesh.filename}' of link '{link.name}'"
-            trace = owner.trace_in(link)
-            self._writing.lose(LOST, what, name, owner.span, trace=trace, hint=hint)
+            label = f"'{mesh.filename}' of link '{link.name}'"
+            self._writing.losses.lose(what, link, part=owner, label=label, hint=hint)
         return self._parts.get(key, [])
 
     def _file(self, stem: str, ending: str, data: bytes) -> str:

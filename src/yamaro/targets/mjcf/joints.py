@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from ...model.joint import CONTINUOUS, FLOATING, PLANAR, PRISMATIC, REVOLUTE, UNLIMITED
-from ...model.pose import UNTURNED, Pose, rotate, rotation_from_z
-from ..output import APPROXIMATED, LOST, RENAMED
-from .names import JOINT
-from .writing import Places, Writing, made, number, row
+from ...model.pose import UNTURNED, Pose, quaternion_from_rotation, rotate, rotation_from_z
+from ..elements import element, number
+from .model import JOINT, Places, Writing
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -15,6 +14,7 @@ if TYPE_CHECKING:
     from ...model.positions import Position
     from ...model.values import Written
     from ...xml.tree import Element
+    from ..elements import Attributes
 
     Sources = dict[str, tuple[Written, str]]
 
@@ -37,39 +37,31 @@ def add_joints(writing: Writing, joint: Joint, body: Element) -> None:
 
 def _single(writing: Writing, joint: Joint) -> Element:
     """Return the joint of one number."""
+    limit, ends, effort = joint.limit, range_of(joint), effort_of(joint)
     places: Sources = {"name": (joint, "name"), "type": (joint, "type")}
-    attributes = {
+    if limit is not None:
+        places |= {"range": (limit, "upper"), "actuatorfrcrange": (limit, "effort")}
+        if ends is None and _is_reversed(joint):
+            writing.losses.lose("limits in the wrong order", joint, part=limit)
+        elif ends is not None and limit.lower == limit.upper:
+            how = f"limits {number(2 * LEAST_ROOM)} rad or m apart"
+            writing.losses.approximate("limits that leave no room", joint, part=limit, how=how)
+        if limit.effort is not None and limit.effort <= 0:
+            writing.losses.lose("effort limits that are not greater than 0", joint, part=limit)
+    actuator = writing.robot.actuators.get(joint.name)
+    if actuator is not None:
+        places["armature"] = (actuator, "armature")
+    attributes: Attributes = {
         "name": joint.name,
         "type": TYPES[joint.type] if joint.type == PRISMATIC else None,
-        "axis": row(joint.axis),
-        "range": _range(writing, joint, places),
+        "axis": joint.axis,
+        "range": ends if limit is not None else None,
         **_dynamics(joint, places),
-        **_armature(writing, joint, places),
-        "actuatorfrcrange": _effort(writing, joint, places),
+        "armature": actuator.armature or None if actuator is not None else None,
+        "actuatorfrcrange": (-effort, effort) if effort is not None else None,
     }
     writing.motions[joint.name] = (joint.name, "single")
-    return made("joint", joint, attributes, joint.trace, Places(places))
-
-
-def _range(writing: Writing, joint: Joint, places: Sources) -> str | None:
-    """Return the limits of a joint; None for none."""
-    ends = range_of(joint)
-    limit = joint.limit
-    if limit is None or ends is None:
-        if limit is not None and _is_reversed(joint):
-            _lose(writing, joint, limit, "limits in the wrong order")
-        return None
-    places["range"] = (limit, "upper")
-    if limit.lower == limit.upper:
-        _lose(
-            writing,
-            joint,
-            limit,
-            "limits that leave no room",
-            kind=APPROXIMATED,
-            how=f"limits {number(2 * LEAST_ROOM)} rad or m apart",
-        )
-    return row(ends)
+    return element("joint", attributes, owner=joint, places=Places(places))
 
 
 def range_of(joint: Joint) -> tuple[float, float] | None:
@@ -93,17 +85,7 @@ def effort_of(joint: Joint) -> float | None:
     return effort if effort is not None and 0 < effort < UNLIMITED else None
 
 
-def _effort(writing: Writing, joint: Joint, places: Sources) -> str | None:
-    effort, limit = effort_of(joint), joint.limit
-    if limit is None or effort is None:
-        if limit is not None and limit.effort is not None and limit.effort <= 0:
-            _lose(writing, joint, limit, "effort limits that are not greater than 0")
-        return None
-    places["actuatorfrcrange"] = (limit, "effort")
-    return row((-effort, effort))
-
-
-def _dynamics(joint: Joint, places: Sources) -> dict[str, str | None]:
+def _dynamics(joint: Joint, places: Sources) -> Attributes:
     """Return the damping and the friction of a joint, where there are any."""
     dynamics = joint.dynamics
     if dynamics is None:
@@ -111,17 +93,9 @@ def _dynamics(joint: Joint, places: Sources) -> dict[str, str | None]:
     places["damping"] = (dynamics, "damping")
     places["frictionloss"] = (dynamics, "friction")
     return {
-        "damping": number(dynamics.damping) if dynamics.damping else None,
-        "frictionloss": number(dynamics.friction) if dynamics.friction else None,
+        "damping": dynamics.damping or None,
+        "frictionloss": dynamics.friction or None,
     }
-
-
-def _armature(writing: Writing, joint: Joint, places: Sources) -> dict[str, str | None]:
-    actuator = writing.robot.actuators.get(joint.name)
-    if actuator is None or not actuator.armature:
-        return {}
-    places["armature"] = (actuator, "armature")
-    return {"armature": number(actuator.armature)}
 
 
 # --- joints of several numbers ------------------------------------------------------------------
@@ -145,9 +119,9 @@ def _floating(writing: Writing, joint: Joint) -> list[Element]:
     if writing.plan.is_floating_in_world(joint):
         writing.motions[joint.name] = (joint.name, "free")
         if dynamics:  # which `<freejoint>` has not
-            attributes = {"name": joint.name, "type": "free", **dynamics}
-            return [made("joint", joint, attributes, joint.trace)]
-        return [made("freejoint", joint, {"name": joint.name}, joint.trace)]
+            attributes: Attributes = {"name": joint.name, "type": "free", **dynamics}
+            return [element("joint", attributes, owner=joint)]
+        return [element("freejoint", {"name": joint.name}, owner=joint)]
     axes = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
     found = [_part(writing, joint, part, "slide", axis) for part, axis in axes.items()]
     found.append(_part(writing, joint, "ball", "ball", None))
@@ -161,37 +135,13 @@ def _part(
     """Return one of the joints that a joint of several numbers is made of."""
     name = writing.names.fresh(JOINT, f"{joint.name}_{part}")
     writing.motions[name] = (joint.name, part)
-    attributes = {
-        "name": name,
-        "type": kind,
-        "axis": row(axis) if axis is not None else None,
-        **_dynamics(joint, {}),
-    }
-    return made("joint", joint, attributes, joint.trace)
+    attributes: Attributes = {"name": name, "type": kind, "axis": axis, **_dynamics(joint, {})}
+    return element("joint", attributes, owner=joint)
 
 
 def _rename(writing: Writing, joint: Joint, parts: list[Element]) -> None:
-    writing.lose(
-        RENAMED,
-        f"{joint.type} joints",
-        f"joint '{joint.name}'",
-        joint.span,
-        trace=joint.trace,
-        how=", ".join(str(part.attributes["name"]) for part in parts),
-    )
-
-
-def _lose(
-    writing: Writing,
-    joint: Joint,
-    owner: Written,
-    what: str,
-    *,
-    kind: str = LOST,
-    how: str = "",
-) -> None:
-    name = f"joint '{joint.name}'"
-    writing.lose(kind, what, name, owner.span, trace=owner.trace_in(joint), how=how)
+    names = ", ".join(str(part.attributes["name"]) for part in parts)
+    writing.losses.rename(f"{joint.type} joints", joint, new=names)
 
 
 # --- positions ----------------------------------------------------------------------------------
@@ -209,18 +159,12 @@ def numbers_of(part: str, position: Position, origin: Pose) -> list[float]:
         return [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]
     if isinstance(position, Pose):
         place = origin @ position if part == "free" else position
-        turn = _quaternion(place)
+        turn = [1.0, 0.0, 0.0, 0.0]
+        if place.rotation != UNTURNED:
+            turn = [*quaternion_from_rotation(place.rotation)]
         if part == "free":
             return [*place.position, *turn]
         return turn if part == "ball" else [place.position["xyz".index(part)]]
     if part in _PLANE and not isinstance(position, float):
         return [float(position[_PLANE.index(part)])]
     return [position if isinstance(position, float) else 0.0]
-
-
-def _quaternion(pose: Pose) -> list[float]:
-    from ...model.pose import quaternion_from_rotation
-
-    if pose.rotation == UNTURNED:
-        return [1.0, 0.0, 0.0, 0.0]
-    return list(quaternion_from_rotation(pose.rotation))

@@ -1,57 +1,268 @@
-"""The model: calls what writes its parts, and puts them together."""
+"""A model of MJCF while it is written: which links are bodies, names, sections, losses."""
 
 from __future__ import annotations
 
-from ...diagnostics import YamaroError
+from ...diagnostics import Diagnostic
+from ...model.joint import FIXED, FLOATING, PLANAR, SINGLE
+from ...model.kinematics import WORLD
+from ...model.pose import IDENTITY, UNTURNED, quaternion_from_rotation
 from ...xml.tree import Element
-from ..output import Output
-from .actuators import add_actuators
-from .assets import Looks
-from .bodies import add_bodies, put_on_floor, sort_bodies
-from .contacts import add_excludes
-from .defaults import head
-from .equalities import add_loops, add_mimics
-from .geoms import add_geoms
-from .keyframes import add_keyframes
-from .leftovers import lose_leftovers
-from .raw import add_raw
-from .scene import scene
-from .sensors import add_sensors
-from .writing import Writing
+from ..elements import UsedNames, element
+from ..inertia import Inertias
+from ..losses import Losses
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from ...diagnostics import Frame as Step
+    from ...model.joint import Joint
+    from ...model.link import Collision, Link
+    from ...model.pose import Pose, Vector
     from ...model.robot import Robot
+    from ...model.values import Written
+    from ...source import Span
+    from ..elements import Attributes
     from ..output import Wanted
-
-SCENE = "scene.xml"
-"""The file beside the document with a floor and a light."""
+    from .scene import Solid
 
 
-def write(robot: Robot, wanted: Wanted) -> Output:
-    """Return a robot as MJCF, with the scene and the meshes that belong beside it.
+BODY, JOINT, GEOM, SITE, CAMERA = "body", "joint", "geom", "site", "camera"
+MESH, MATERIAL, TEXTURE = "mesh", "material", "texture"
+ACTUATOR, SENSOR, EQUALITY = "actuator", "sensor", "equality"
+"""The types of things, each of which has names of its own."""
+MOVING = frozenset((*SINGLE, FLOATING, PLANAR))
 
-    Raises:
-        YamaroError: MuJoCo would refuse it, such as a mesh that is not there.
+
+class Plan:
+    """Where each link of a robot is found in MJCF.
+
+    A root named `world` is the world, if the robot is fixed. An empty link on a fixed joint is a
+    site, unless a sensor measures the force in the joint. Every other link is a body.
+
+    Attributes:
+        carriers: by the name of each link, the link whose body it is in; None for the world.
+        poses: by the name of each link, T_carrier_link.
+        order: the links from the roots to the leaves, each after those above it.
+        bodies: the names of the links that are bodies, in that order.
+        sites: the names of the links that are sites, in that order.
+        static: T_world_link of each link that cannot move, by name.
+        free: of each link, by name, the one that is free in the world and moves it; None if a joint
+            of the robot holds it there.
+        world: the link that is the world, or None.
     """
-    writing = Writing(robot, wanted)
-    add_bodies(writing)
-    add_geoms(writing, Looks(writing))
-    add_actuators(writing)
-    add_sensors(writing)
-    put_on_floor(writing)
-    add_excludes(writing)
-    add_mimics(writing)
-    add_loops(writing)
-    raw = add_raw(writing)
-    sort_bodies(writing)
-    add_keyframes(writing, raw)
-    lose_leftovers(writing)
-    if writing.errors:
-        raise YamaroError(writing.errors)
-    root = Element("mujoco", robot.span, {"model": writing.model}, trace=robot.element.trace)
-    root.children += head(writing)
-    root.children += [each for each in writing.sections.values() if each.children]
-    root.children += raw
-    files = {SCENE: scene(writing, wanted.file_name or f"{wanted.name}.xml"), **writing.files}
-    return Output(root, writing.losses, files)
+
+    __slots__ = (
+        "_is_fixed", "_measured", "_robot", "bodies", "carriers", "free", "order", "poses", "sites",
+        "static", "world",
+    )  # fmt: skip
+
+    def __init__(self, robot: Robot, *, is_fixed: bool) -> None:
+        """Sort the links of a robot, whose root is fixed in the world or not."""
+        self._robot = robot
+        self._is_fixed = is_fixed
+        self._measured = {each.joint for each in robot.sensors.values()}
+        self.carriers: dict[str, str | None] = {}
+        self.poses: dict[str, Pose] = {}
+        self.static: dict[str, Pose] = {}
+        self.free: dict[str, str | None] = {}
+        self.bodies: list[str] = []
+        self.sites: list[str] = []
+        self.world: Link | None = None
+        self.order: list[Link] = []
+        pending = list(reversed(robot.roots))
+        while pending:
+            link = pending.pop()
+            self.order.append(link)
+            self._place(link)
+            joints = robot.joints_below(link.name)
+            pending += [robot.links[joint.child] for joint in reversed(joints)]
+
+    def _place(self, link: Link) -> None:
+        name, joint = link.name, self._robot.parent_joint(link.name)
+        if joint is None:
+            self.free[name] = None if self._is_fixed else name
+            if self._is_fixed:
+                self.static[name] = IDENTITY
+            if name == WORLD and self._is_fixed:
+                self.world = link
+                self.carriers[name] = None
+                self.poses[name] = IDENTITY
+                return
+        else:
+            self.free[name] = name if self.is_floating_in_world(joint) else self.free[joint.parent]
+            if joint.type not in MOVING and joint.parent in self.static:
+                self.static[name] = self.static[joint.parent] @ joint.origin
+        if joint is not None and self._is_site(link, joint):
+            self.carriers[name] = self.carriers[joint.parent]
+            self.poses[name] = self.poses[joint.parent] @ joint.origin
+            self.sites.append(name)
+            return
+        self.carriers[name] = name
+        self.poses[name] = IDENTITY
+        self.bodies.append(name)
+
+    def _is_site(self, link: Link, joint: Joint) -> bool:
+        return joint.type == FIXED and link.is_empty and joint.name not in self._measured
+
+    def is_floating_in_world(self, joint: Joint) -> bool:
+        """Return whether a joint lets a link go in the world: MJCF has it nowhere else."""
+        return joint.type == FLOATING and joint.parent in self.static
+
+    def place_of(self, link: Link) -> tuple[str | None, Pose]:
+        """Return the link whose body the body of a link is in, and its pose there.
+
+        None is for the world.
+        """
+        joint = self._robot.parent_joint(link.name)
+        if joint is None:
+            return None, IDENTITY
+        if self.is_floating_in_world(joint):
+            return None, self.static[joint.parent] @ joint.origin
+        return self.carriers[joint.parent], self.poses[joint.parent] @ joint.origin
+
+
+def stem_of(link: str) -> str:
+    """Return the name of a link without the usual ending: 'base' for 'base_link'."""
+    return link.removesuffix("_link") or link
+
+
+MAIN = "main"
+"""The name of the class that every model has."""
+JOINTS = ("joint", "freejoint")
+"""The elements that are joints of a body."""
+NOISE = 1e-16
+"""What is smaller in a position or a quaternion comes from rounding."""
+SECTIONS = ("asset", "worldbody", "contact", "equality", "actuator", "sensor", "keyframe")
+"""The sections whose content is gathered, in the order of the document."""
+
+
+class Classes:
+    """The names of a model's default classes.
+
+    Attributes:
+        model: what holds for all of the model.
+        visual, collision, frame: what holds for its visuals, collisions and frames.
+    """
+
+    __slots__ = ("collision", "frame", "model", "visual")
+
+    def __init__(self, model: str) -> None:
+        self.model = model if model != MAIN else f"{MAIN}_robot"
+        self.visual = f"{model}_visual"
+        self.collision = f"{model}_collision"
+        self.frame = f"{model}_frame"
+
+
+class Writing:
+    """One run of the writer.
+
+    Attributes:
+        robot: the robot.
+        wanted: what is asked for.
+        model: the name of the model.
+        classes: the default classes: of the model, of its visuals, collisions and frames.
+        names: the names that are taken.
+        plan: which links are bodies and which are sites.
+        inertias: the masses of the links.
+        bodies: the body of each link that is one, by the name of the link.
+        sections: the sections of the document, by name.
+        losses: what MJCF cannot hold.
+        files: what belongs beside the document.
+        errors: why there is no document.
+        motions: of each joint in MJCF, by name, the joint that it is and which part of it; for the
+            free joint of a root, that link and `base`.
+        controls: the joint, the command and the gear of each actuator.
+        collisions: what collides: the link, the collision, and of a mesh the outer corners.
+        solids: the same at home, once it is worked out.
+    """
+
+    __slots__ = (
+        "_body_names", "bodies", "classes", "collisions", "controls", "errors", "files", "inertias",
+        "losses", "model", "motions", "names", "plan", "robot", "sections", "solids", "wanted",
+    )  # fmt: skip
+
+    def __init__(self, robot: Robot, wanted: Wanted) -> None:
+        self.robot = robot
+        self.wanted = wanted
+        self.model = robot.name or wanted.name
+        self.classes = Classes(self.model)
+        self.controls: list[tuple[str, str, float]] = []
+        self.collisions: list[tuple[Link, Collision, Sequence[Vector]]] = []
+        self.solids: list[Solid] | None = None
+        self.motions: dict[str, tuple[str, str]] = {}
+        self.plan = Plan(robot, is_fixed=wanted.is_fixed)
+        self.sections = {name: element(name, owner=robot.element) for name in SECTIONS}
+        self.bodies: dict[str, Element] = {}
+        self.inertias = Inertias(robot, is_fixed=wanted.is_fixed, repairs=wanted.repairs_inertia)
+        self.losses = Losses(self.inertias.losses)
+        self.files: dict[str, bytes] = {}
+        self.errors: list[Diagnostic] = list(self.inertias.errors)
+        self.names = UsedNames()
+        self.names.reserve(BODY, (WORLD,))
+        self._body_names: dict[str, str] = {}
+        plan = self.plan
+        self.names.reserve(BODY, plan.bodies)
+        self.names.reserve(SITE, plan.sites)
+        self.names.reserve(JOINT, robot.joints)
+
+    def add(self, section: str, element: Element) -> None:
+        """Append an element to a section."""
+        self.sections[section].children.append(element)
+
+    def body_name(self, link: str) -> str:
+        """Return the name of the body that a link is, or is part of."""
+        carrier = self.plan.carriers[link]
+        if carrier is None:
+            return WORLD
+        if carrier != WORLD:
+            return carrier
+        if carrier not in self._body_names:
+            self._body_names[carrier] = self.names.fresh(BODY, f"{WORLD}_link")
+        return self._body_names[carrier]
+
+    def body_of(self, link: str) -> Element:
+        """Return the body that a link is, or is part of."""
+        carrier = self.plan.carriers[link]
+        return self.sections["worldbody"] if carrier is None else self.bodies[carrier]
+
+    def fail(
+        self, code: str, message: str, hint: str, *, span: Span, trace: Step | None = None
+    ) -> None:
+        """Note an error, once for each place."""
+        if not any(each.code == code and each.span == span for each in self.errors):
+            self.errors.append(Diagnostic(code, message, span, hint=hint, trace=trace))
+
+
+class Places:
+    """Where the values of an element's attributes are written, looked up when that is asked.
+
+    Attributes:
+        sources: what each attribute is made of: something that is written, and its attribute.
+    """
+
+    __slots__ = ("sources",)
+
+    def __init__(self, sources: dict[str, tuple[Written, str]]) -> None:
+        self.sources = sources
+
+    def get(self, attribute: str) -> Span | None:
+        """Return the place of an attribute's value; None for that of the element."""
+        source = self.sources.get(attribute)
+        return source[0].span_of(source[1]) if source is not None else None
+
+
+def pose_attributes(pose: Pose) -> Attributes:
+    """Return `pos` and `quat` of a pose, w first, each None if it changes nothing."""
+    position = [_quiet(part) for part in pose.position]
+    turn: list[float] = []
+    if pose.rotation != UNTURNED:
+        turn = [_quiet(part) for part in quaternion_from_rotation(pose.rotation)]
+    return {
+        "pos": position if any(position) else None,
+        "quat": turn if any(turn[1:]) else None,
+    }
+
+
+def _quiet(value: float) -> float:
+    return value if abs(value) > NOISE else 0.0

@@ -6,16 +6,16 @@ from math import atan, cos, degrees, sin, tan
 
 from ...model.extras import CAMERAS, Camera, Lidar, Ranger
 from ...model.pose import IDENTITY, Pose
-from ..output import APPROXIMATED, LOST
-from ..shared_losses import lost_of_sensor
-from .names import CAMERA, SENSOR, SITE
-from .writing import Writing, made, number, pose_attributes, row
+from ..elements import element, row
+from ..holding import lost_of_sensor
+from .model import CAMERA, SENSOR, SITE, Writing, pose_attributes
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ...model.extras import Sensor
-    from ...source import Span
+    from ...model.pose import Vector
     from ...xml.tree import Element
+    from ..elements import Attributes
 
 FORWARD = Pose(((0.0, 0.0, -1.0), (-1.0, 0.0, 0.0), (0.0, 1.0, 0.0)))
 """T_sensor_camera: a camera of MuJoCo looks along −z, with y up; one of ours along x, with z up."""
@@ -39,7 +39,7 @@ def add_sensors(writing: Writing) -> None:
         elif sensor.frame in writing.plan.carriers:
             _in_link(writing, sensor)
         else:
-            _lose(writing, sensor, LOST, "sensors in frames that are not there")
+            writing.losses.lose("sensors in frames that are not there", sensor)
             continue
         writing.losses += lost_of_sensor(sensor, "mjcf")
 
@@ -62,24 +62,26 @@ def _in_link(writing: Writing, sensor: Sensor) -> None:
     elif kind == "magnetometer":
         _add(writing, sensor, kind, sensor.name, {"site": _site_of(writing, sensor)})
     elif kind == "gps":
-        _lose(writing, sensor, APPROXIMATED, "gps sensors", "positions in the world, in metres")
+        how = "positions in the world, in metres"
+        writing.losses.approximate("gps sensors", sensor, how=how)
         site = _site_of(writing, sensor)
         _add(writing, sensor, "framepos", sensor.name, {"objtype": "site", "objname": site})
     elif kind == "contact":
         _contact(writing, sensor)
     else:
-        _lose(writing, sensor, LOST, f"{kind} sensors")
+        writing.losses.lose(f"{kind} sensors", sensor)
 
 
 def _contact(writing: Writing, sensor: Sensor) -> None:
     """Append the sum of the forces that touch a link: its site encloses the whole of it."""
-    _lose(writing, sensor, APPROXIMATED, "contact sensors", "the sum of the normal forces")
+    how = "the sum of the normal forces"
+    writing.losses.approximate("contact sensors", sensor, how=how)
     site = _new_site(
         writing,
         sensor,
         f"{sensor.name}_touch",
         sensor.link or sensor.frame or "",
-        {"type": "sphere", "size": number(TOUCH_RADIUS), "rgba": "0 0 0 0"},
+        {"type": "sphere", "size": TOUCH_RADIUS, "rgba": "0 0 0 0"},
     )
     _add(writing, sensor, "touch", sensor.name, {"site": site})
 
@@ -92,9 +94,9 @@ def _force_torque(writing: Writing, sensor: Sensor) -> None:
     """
     joint = writing.robot.joints.get(sensor.joint or "")
     if joint is None or joint.child not in writing.plan.carriers:
-        _lose(writing, sensor, LOST, "sensors in joints that are not there")
+        writing.losses.lose("sensors in joints that are not there", sensor)
         return
-    _lose(writing, sensor, APPROXIMATED, "force_torque sensors", OPPOSITE)
+    writing.losses.approximate("force_torque sensors", sensor, how=OPPOSITE)
     site = _new_site(writing, sensor, sensor.name, joint.child, {})
     for part in ("force", "torque"):
         name = f"{sensor.name}_{part}"
@@ -105,21 +107,21 @@ def _camera(writing: Writing, sensor: Sensor, camera: Camera) -> None:
     width, height = camera.size
     name = writing.names.fresh(CAMERA, sensor.name)
     angle = 2 * atan(tan(camera.fov / 2) * height / width)
-    attributes = {
+    attributes: Attributes = {
         "name": name,
         **pose_attributes(_pose_of(writing, sensor) @ FORWARD),
         "resolution": f"{width} {height}",
-        "fovy": number(degrees(angle)),
+        "fovy": degrees(angle),
     }
     places = {"fovy": sensor.span_of("fov"), "resolution": sensor.span_of("size")}
-    _place(writing, sensor, made("camera", sensor, attributes, sensor.trace, places))
-    _lose(writing, sensor, LOST, "clip distances of cameras", attribute="clip")
+    _place(writing, sensor, element("camera", attributes, owner=sensor, places=places))
+    writing.losses.lose("clip distances of cameras", sensor, field="clip")
 
 
 def _lidar(writing: Writing, sensor: Sensor, lidar: Lidar) -> None:
     """Append a site for each ray, and what measures along them."""
     attributes = pose_attributes(_pose_of(writing, sensor))
-    frame = made("frame", sensor, attributes, sensor.trace)
+    frame = element("frame", attributes, owner=sensor)
     _place(writing, sensor, frame)
     if lidar.rays * lidar.rows > MOST_COPIES:
         _each_ray(writing, sensor, lidar, frame)
@@ -137,7 +139,7 @@ def _each_ray(writing: Writing, sensor: Sensor, lidar: Lidar, frame: Element) ->
     """
     low, high = lidar.tilt_ends()
     rise = (high - low) / (lidar.rows - 1) if lidar.rows > 1 else 0.0
-    first, cutoff = lidar.ends()[0], number(lidar.range[1])
+    first = lidar.ends()[0]
     for ray in range(lidar.rays):
         for level in range(lidar.rows):
             a, b = first + ray * lidar.step, low + level * rise
@@ -147,10 +149,10 @@ def _each_ray(writing: Writing, sensor: Sensor, lidar: Lidar, frame: Element) ->
             site = _ray(writing, sensor, ending)
             site.attributes["zaxis"] = row(way)
             frame.children.append(site)
-            found: dict[str, str | None] = {"site": str(site.attributes["name"]), "cutoff": cutoff}
+            found: Attributes = {"site": str(site.attributes["name"]), "cutoff": lidar.range[1]}
             _add(writing, sensor, "rangefinder", sensor.name + ending, found)
     if lidar.range[0]:
-        _lose(writing, sensor, LOST, "least distances of sensors", attribute="range")
+        writing.losses.lose("least distances of sensors", sensor, field="range")
 
 
 def _padded(index: int, count: int) -> str:
@@ -171,41 +173,33 @@ def _turned(
 ) -> Element:
     """Return copies of an element, each turned by one step more about an axis."""
 
-    def euler(angle: float) -> str:
-        return row((0.0, angle, 0.0) if axis == "y" else (0.0, 0.0, angle))
+    def euler(angle: float) -> Vector:
+        return (0.0, angle, 0.0) if axis == "y" else (0.0, 0.0, angle)
 
-    start = made("frame", sensor, {"euler": euler(first)}, sensor.trace)
-    if count == 1:
-        start.children.append(content)
-        return start
-    attributes = {"count": str(count), "euler": euler(step), "sep": "_"}
-    copies = made("replicate", sensor, attributes, sensor.trace)
-    copies.children.append(content)
-    start.children.append(copies)
-    return start
+    if count > 1:
+        attributes: Attributes = {"count": count, "euler": euler(step), "sep": "_"}
+        content = element("replicate", attributes, children=[content], owner=sensor)
+    return element("frame", {"euler": euler(first)}, children=[content], owner=sensor)
 
 
 def _ranger(writing: Writing, sensor: Sensor, ranger: Ranger) -> None:
     site = _ray(writing, sensor)
-    frame = made("frame", sensor, pose_attributes(_pose_of(writing, sensor)), sensor.trace)
-    frame.children.append(site)
-    _place(writing, sensor, frame)
+    attributes = pose_attributes(_pose_of(writing, sensor))
+    _place(writing, sensor, element("frame", attributes, children=[site], owner=sensor))
     _rangefinder(writing, sensor, str(site.attributes["name"]), ranger.range)
 
 
 def _ray(writing: Writing, sensor: Sensor, ending: str = "") -> Element:
     """Return a site whose z axis is the x axis of the sensor: rays go along z."""
     name = writing.names.fresh(SITE, f"{sensor.name}_ray{ending}")
-    default = writing.classes.frame
-    attributes = {"name": name, "class": default, "zaxis": ALONG_X}
-    return made("site", sensor, attributes, sensor.trace)
+    attributes: Attributes = {"name": name, "class": writing.classes.frame, "zaxis": ALONG_X}
+    return element("site", attributes, owner=sensor)
 
 
 def _rangefinder(writing: Writing, sensor: Sensor, site: str, ends: tuple[float, float]) -> None:
-    cutoff = number(ends[1])
-    _add(writing, sensor, "rangefinder", sensor.name, {"site": site, "cutoff": cutoff})
+    _add(writing, sensor, "rangefinder", sensor.name, {"site": site, "cutoff": ends[1]})
     if ends[0]:
-        _lose(writing, sensor, LOST, "least distances of sensors", attribute="range")
+        writing.losses.lose("least distances of sensors", sensor, field="range")
 
 
 # --- what they share ----------------------------------------------------------------------------
@@ -237,14 +231,14 @@ def _new_site(
     sensor: Sensor,
     wanted: str,
     link: str,
-    attributes: dict[str, str | None],
+    attributes: Attributes,
     pose: Pose | None = None,
 ) -> str:
     """Append a site at a pose in the body, by default at the origin of a link; return its name."""
     name = writing.names.fresh(SITE, wanted)
     place = pose_attributes(pose or writing.plan.poses.get(link, IDENTITY))
-    whole = {"name": name, "class": writing.classes.frame, **attributes, **place}
-    writing.body_of(link).children.append(made("site", sensor, whole, sensor.trace))
+    whole: Attributes = {"name": name, "class": writing.classes.frame, **attributes, **place}
+    writing.body_of(link).children.append(element("site", whole, owner=sensor))
     return name
 
 
@@ -253,21 +247,11 @@ def _add(
     sensor: Sensor,
     word: str,
     wanted: str,
-    attributes: dict[str, str | None],
+    attributes: Attributes,
     own_noise: float | None = None,
 ) -> None:
     """Append a sensor under a name that is free; its noise is by default that of all parts."""
     name = writing.names.fresh(SENSOR, wanted)
-    deviation = own_noise or sensor.noise
-    noise = number(deviation) if deviation else None
-    whole = {"name": name, **attributes, "noise": noise}
+    whole: Attributes = {"name": name, **attributes, "noise": own_noise or sensor.noise or None}
     places = {"name": sensor.span_of("name"), "noise": sensor.span_of("noise")}
-    writing.add("sensor", made(word, sensor, whole, sensor.trace, places))
-
-
-def _lose(
-    writing: Writing, sensor: Sensor, kind: str, what: str, how: str = "", *, attribute: str = ""
-) -> None:
-    span: Span = sensor.span_of(attribute) if attribute else sensor.span
-    owner = f"sensor '{sensor.name}'"
-    writing.lose(kind, what, owner, span, trace=sensor.trace, how=how)
+    writing.add("sensor", element(word, whole, owner=sensor, places=places))

@@ -7,9 +7,3 @@ the numbers are those of the robot's description.
 Source: the specification, http://sdformat.org/spec, and its documentation of frames, "Pose Frame
 Semantics: Specification for Model Kinematics".
 """
-
-from __future__ import annotations
-
-from .model import write
-
-__all__ = ["write"]

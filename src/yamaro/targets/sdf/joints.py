@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from ...model.joint import FIXED, FLOATING, SINGLE
-from ..output import APPROXIMATED, Loss
-from ..shared_losses import leader_of, lost_of_joints
-from ..tags import Tag, given, row_of
-from .links import pose_tag
+from ..elements import element, given
+from ..holding import leader_of, lost_of_joints
+from .links import pose_of, row_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -15,7 +14,8 @@ if TYPE_CHECKING:
     from ...model.joint import Joint
     from ...model.robot import Robot
     from ...xml.tree import Element
-
+    from ..elements import Attributes
+    from ..losses import Losses
 
 MIMIC_HINT = "--sdf-version 1.11 has them"
 
@@ -30,7 +30,7 @@ class JointWriter:
     __slots__ = ("_has_mimic", "_names", "_robot", "losses")
 
     def __init__(
-        self, robot: Robot, names: Mapping[str, str], version: str, losses: list[Loss]
+        self, robot: Robot, names: Mapping[str, str], version: str, losses: Losses
     ) -> None:
         """Start.
 
@@ -46,15 +46,15 @@ class JointWriter:
         self.losses = losses
         losses += lost_of_joints(robot, "sdf", has_mimic=self._has_mimic, mimic_hint=MIMIC_HINT)
 
-    def tag(
+    def made(
         self,
         joint: Joint,
         *,
         parent: str,
         child: str,
         relative_to: str,
-        more: Sequence[Tag | Element],
-    ) -> Tag | None:
+        more: Sequence[Element],
+    ) -> Element | None:
         """Return a joint; None for a floating one, which SDFormat has not.
 
         Args:
@@ -66,65 +66,40 @@ class JointWriter:
         """
         kind = joint.type
         if kind == FLOATING:
-            self._approximate(joint, "floating joints", "free links")
+            self.losses.approximate("floating joints", joint, how="free links")
             return None
         if kind not in (*SINGLE, FIXED):
-            self._approximate(joint, f"{kind} joints", "fixed joints")
+            self.losses.approximate(f"{kind} joints", joint, how="fixed joints")
             kind = FIXED
-        content = [
-            *pose_tag(joint.origin, relative_to),
-            Tag("parent", parent),
-            Tag("child", child),
-        ]
+        content = pose_of(joint.origin, relative_to) + given(("parent", parent), ("child", child))
         if kind != FIXED:
             content.append(self._axis(joint))
-        return Tag(
-            "joint",
-            [*content, *more],
-            span=joint.span,
-            trace=joint.trace,
-            name=self._names[joint.name],
-            type=kind,
-        )
+        attributes: Attributes = {"name": self._names[joint.name], "type": kind}
+        return element("joint", attributes, children=[*content, *more], owner=joint)
 
-    def _axis(self, joint: Joint) -> Tag:
-        axis = [Tag("xyz", row_of(joint.axis)), Tag("limit", self._limit(joint))]
-        dynamics = joint.dynamics
+    def _axis(self, joint: Joint) -> Element:
+        limit, dynamics, mimic = joint.limit, joint.dynamics, joint.mimic
+        limits: list[Element] = []
+        if limit is not None:
+            lower, upper = joint.lower, joint.upper
+            if lower is not None and upper is not None and lower > upper:
+                lower, upper = upper, lower
+                what, how = "limits in the wrong order", "swapping them"
+                self.losses.approximate(what, joint, how=how)
+            limits = given(
+                ("lower", lower),
+                ("upper", upper),
+                ("effort", limit.effort),
+                ("velocity", limit.velocity),
+            )
+        axis = [element("xyz", text=row_of(joint.axis)), element("limit", children=limits)]
         if dynamics is not None:
             values = given(("damping", dynamics.damping), ("friction", dynamics.friction))
-            axis.append(Tag("dynamics", values, span=dynamics.span, trace=joint.trace))
-        return Tag("axis", [*axis, *self._mimic(joint)])
-
-    def _mimic(self, joint: Joint) -> list[Tag]:
-        mimic, leader = joint.mimic, leader_of(self._robot, joint)
-        if mimic is None or leader is None or not self._has_mimic:
-            return []
-        values = [Tag("multiplier", mimic.multiplier), Tag("offset", mimic.offset)]
-        return [Tag("mimic", [*values, Tag("reference", 0)], joint=self._names[leader.name])]
-
-    def _limit(self, joint: Joint) -> list[Tag]:
-        limit = joint.limit
-        if limit is None:
-            return []
-        lower, upper = joint.lower, joint.upper
-        if lower is not None and upper is not None and lower > upper:
-            lower, upper = upper, lower
-            self._approximate(joint, "limits in the wrong order", "swapping them")
-        return given(
-            ("lower", lower),
-            ("upper", upper),
-            ("effort", limit.effort),
-            ("velocity", limit.velocity),
-        )
-
-    def _approximate(self, joint: Joint, name: str, how: str) -> None:
-        self.losses.append(
-            Loss(
-                APPROXIMATED,
-                name,
-                f"joint '{joint.name}'",
-                joint.span,
-                trace=joint.trace,
-                how=how,
+            axis.append(element("dynamics", children=values, owner=joint, part=dynamics))
+        leader = leader_of(self._robot, joint)
+        if mimic is not None and leader is not None and self._has_mimic:
+            values = given(
+                ("multiplier", mimic.multiplier), ("offset", mimic.offset), ("reference", 0)
             )
-        )
+            axis.append(element("mimic", {"joint": self._names[leader.name]}, children=values))
+        return element("axis", children=axis)

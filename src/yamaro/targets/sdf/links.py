@@ -1,33 +1,115 @@
-"""Links of SDFormat: poses, mass and sensors."""
+"""Links and frames of SDFormat: names, poses, mass."""
 
 from __future__ import annotations
 
+from ...model.kinematics import WORLD
 from ...model.schema import MOMENTS
+from ..elements import element, given, number, unused
 from ..inertia import ROUNDING, written_moments
-from ..output import APPROXIMATED, LOST, Loss
-from ..sdf_sensors import details_of, times_of, type_of
-from ..tags import Tag, given, row_of
+from ..losses import Losses
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ...model.extras import Sensor
-    from ...model.link import Inertial, Link
+    from collections.abc import Iterable
+
+    from ...model.joint import Joint
+    from ...model.link import Link
     from ...model.pose import Pose
+    from ...model.robot import Robot
+    from ...xml.tree import Element
     from ..inertia import Principal
+
+
+# --- names ------------------------------------------------------------------------------------
+
+
+class Names:
+    """What the links, frames and joints of a robot are called in SDFormat.
+
+    Attributes:
+        links: the names of links and frames by those in the robot.
+        joints: the names of joints by those in the robot.
+        losses: what is renamed.
+    """
+
+    __slots__ = ("_taken", "joints", "links", "losses")
+
+    def __init__(self, robot: Robot, *, has_world: bool) -> None:
+        """Name all links and joints.
+
+        Args:
+            robot: the robot.
+            has_world: whether its root is the world, and is not written.
+        """
+        self.losses = Losses()
+        self._taken: set[str] = set()
+        self.links: dict[str, str] = {}
+        self.joints: dict[str, str] = {}
+        wanted = {name for name in robot.links if fault_of(name) is None}
+        for link in robot.links.values():
+            if has_world and link.name == WORLD:
+                continue
+            self.links[link.name] = self._name("link", link, wanted)
+        for joint in robot.joints.values():
+            self.joints[joint.name] = self._name("joint", joint, set())
+
+    def new(self, name: str) -> str:
+        """Return a name for what the robot has no name for: this one, if nothing else has it."""
+        return unused(name, self._taken)
+
+    def _name(self, kind: str, thing: Link | Joint, wanted: set[str]) -> str:
+        """Return the name of a link or joint, and note it if it is another one."""
+        name = thing.name
+        reason = fault_of(name)
+        if reason is None and name not in self._taken:
+            self._taken.add(name)
+            return name
+        plain = name.replace("::", "_").strip("_")
+        found = plain if plain != name and plain not in wanted else f"{plain}_{kind}"
+        while found in wanted:
+            found += "_"
+        found = self.new(found)
+        what = f"{kind}s {reason or 'named like a link'}"
+        self.losses.rename(what, thing, field="name", new=found)
+        return found
+
+
+def fault_of(name: str) -> str | None:
+    """Return what SDFormat has against a name, or None."""
+    if name == WORLD:
+        return "with the reserved name 'world'"
+    if name.startswith("__") and name.endswith("__"):
+        return "with a reserved name"
+    return "with '::' in their names" if "::" in name else None
+
+
+# --- poses and mass ---------------------------------------------------------------------------
+
 
 POINT_RADIUS = 1e-6
 """The radius, in metres, of the ball whose inertia a point mass gets."""
 PLACEHOLDER = 1e-3
-"""The mass, in kg, of a link that cannot have mass 0: see `inertial_of_nothing`."""
+"""The mass, in kg, of a link that cannot have mass 0: see `inertial_of`."""
 
 
-def pose_tag(pose: Pose | None, relative_to: str | None = None) -> list[Tag]:
+def pose_of(pose: Pose | None, relative_to: str | None = None) -> list[Element]:
     """Return a `<pose>`; none if it would change nothing."""
     numbers = numbers_of(pose) if pose is not None else ()
-    is_zero = not any(numbers)
-    if is_zero and relative_to is None:
+    text = row_of(numbers) if any(numbers) else None
+    if text is None and relative_to is None:
         return []
-    return [Tag("pose", () if is_zero else row_of(numbers), relative_to=relative_to)]
+    return [element("pose", {"relative_to": relative_to}, text=text)]
+
+
+def row_of(numbers: Iterable[float]) -> str:
+    """Return numbers in a row.
+
+    The schema of SDFormat wants a point in those with an exponent: 1.0e-05.
+    """
+    return " ".join(
+        text.replace("e", ".0e") if "e" in text and "." not in text else text
+        for text in map(number, numbers)
+    )
 
 
 def numbers_of(pose: Pose) -> tuple[float, ...]:
@@ -43,40 +125,32 @@ def numbers_of(pose: Pose) -> tuple[float, ...]:
     return (*pose.position, *pose.rpy)
 
 
-def inertial_tag(
-    link: Link, inertial: Inertial, principal: Principal | None, losses: list[Loss]
-) -> Tag:
-    """Return the `<inertial>` of a link with mass.
+def inertial_of(link: Link, principal: Principal | None, losses: Losses) -> Element:
+    """Return the `<inertial>` of a link; without any, SDFormat takes it for 1 kg.
 
     Args:
         link: the link.
-        inertial: its mass and inertia as they are written.
-        principal: the same along the principal axes, as a body can have it.
+        principal: its mass and inertia along the principal axes, as a body can have it.
         losses: takes what is approximated.
     """
-    inertia, pose = inertial.inertia, inertial.pose
-    if principal is not None and (principal.is_changed or _is_tight(inertia, principal)):
+    inertial = link.inertial
+    if inertial is None or inertial.mass <= 0:
+        hint = "give the link a mass"
+        losses.approximate("links without mass", link, how="links of 1 g", hint=hint)
+        moment = 2 / 5 * PLACEHOLDER * 0.01**2
+        inertia = _inertia_of((moment, 0, 0, moment, 0, moment))
+        return element("inertial", children=[element("mass", text=PLACEHOLDER), inertia])
+    values, pose = inertial.inertia, inertial.pose
+    if principal is not None and (principal.is_changed or _is_tight(values, principal)):
         first, second, third = written_moments(principal.moments)
-        inertia, pose = (first, 0.0, 0.0, second, 0.0, third), principal.pose
-    if not any(inertia):
+        values, pose = (first, 0.0, 0.0, second, 0.0, third), principal.pose
+    if not any(values):
         moment = 2 / 5 * inertial.mass * POINT_RADIUS**2
-        inertia = (moment, 0.0, 0.0, moment, 0.0, moment)
-        losses.append(
-            Loss(
-                APPROXIMATED,
-                "point masses",
-                f"link '{link.name}'",
-                inertial.span,
-                trace=link.trace,
-                how="balls with a radius of 1 µm",
-            )
-        )
-    return Tag(
-        "inertial",
-        [*pose_tag(pose), Tag("mass", inertial.mass), _inertia_tag(inertia)],
-        span=inertial.span,
-        trace=link.trace,
-    )
+        values = (moment, 0.0, 0.0, moment, 0.0, moment)
+        how = "balls with a radius of 1 µm"
+        losses.approximate("point masses", link, part=inertial, how=how)
+    content = [*pose_of(pose), element("mass", text=inertial.mass), _inertia_of(values)]
+    return element("inertial", children=content, owner=link, part=inertial)
 
 
 def _is_tight(inertia: tuple[float, ...], principal: Principal) -> bool:
@@ -91,61 +165,5 @@ def _is_tight(inertia: tuple[float, ...], principal: Principal) -> bool:
     return any((xy, xz, yz)) and room < ROUNDING * max(moments)
 
 
-def _inertia_tag(inertia: tuple[float, ...]) -> Tag:
-    return Tag("inertia", given(*zip(MOMENTS, inertia, strict=True)))
-
-
-def inertial_of_nothing(link: Link, losses: list[Loss]) -> Tag:
-    """Return an `<inertial>` for a link without mass: without any, SDFormat takes it for 1 kg."""
-    losses.append(
-        Loss(
-            APPROXIMATED,
-            "links without mass",
-            f"link '{link.name}'",
-            link.span,
-            trace=link.trace,
-            how="links of 1 g",
-            hint="give the link a mass",
-        )
-    )
-    moment = 2 / 5 * PLACEHOLDER * 0.01**2
-    return Tag(
-        "inertial", [Tag("mass", PLACEHOLDER), _inertia_tag((moment, 0, 0, moment, 0, moment))]
-    )
-
-
-def sensor_tag(sensor: Sensor, *, frame: str | None, collisions: list[str], version: str) -> Tag:
-    """Return a sensor of a link or joint.
-
-    Args:
-        sensor: the sensor.
-        frame: the frame that it measures in, if it is not that of its link or joint.
-        collisions: the names of its link's collisions.
-        version: of SDFormat; 1.12 can name the frame of what is measured.
-    """
-    named = sensor.frame if version == "1.12" else None
-    return Tag(
-        "sensor",
-        [
-            *pose_tag(sensor.pose, frame),
-            *times_of(sensor),
-            *given(("frame_id", named)),
-            *details_of(sensor, collisions, has_optical=version != "1.9"),
-        ],
-        span=sensor.span,
-        trace=sensor.trace,
-        name=sensor.name,
-        type=type_of(sensor),
-    )
-
-
-def lost_collisions(sensor: Sensor, link: Link) -> Loss:
-    """Return the loss of a contact sensor in a link that touches nothing."""
-    return Loss(
-        LOST,
-        "contact sensors in links without collisions",
-        f"sensor '{sensor.name}'",
-        sensor.span,
-        trace=sensor.trace,
-        hint=f"give the link '{link.name}' a collision",
-    )
+def _inertia_of(values: tuple[float, ...]) -> Element:
+    return element("inertia", children=given(*zip(MOMENTS, values, strict=True)))

@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 from ...model.shapes import Box, Capsule, Cylinder, Mesh, Sphere
-from ...xml.tree import Element
-from ..output import LOST, RENAMED, Loss
-from ..sdf_sensors import surface_of
-from ..tags import Tag, given, row_of, unused
-from .links import pose_tag
+from ..elements import UsedNames, element, given, settle
+from .links import pose_of, row_of
+from .sensors import surface_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -16,11 +14,11 @@ if TYPE_CHECKING:
     from ...model.link import Collision, Link, Visual
     from ...model.robot import Robot
     from ...model.shapes import Shape
+    from ...xml.tree import Element
+    from ..losses import Losses
     from ..output import Wanted
-    from .gazebo_blocks import GazeboBlocks
-    from .names import Names
-
-    Content = list[Tag | Element]
+    from .gazebo import GazeboBlocks
+    from .links import Names
 
 
 class Shapes:
@@ -42,40 +40,37 @@ class Shapes:
         wanted: Wanted,
         names: Names,
         blocks: GazeboBlocks,
-        losses: list[Loss],
+        losses: Losses,
     ) -> None:
         self._robot = robot
         self._wanted = wanted
         self._names = names
         self._blocks = blocks
         self._surfaces = {(each.link, each.index): each for each in robot.surfaces}
-        self._used: dict[str, set[str]] = {}
+        self._used = UsedNames()
         self._nameless: set[str] = set()
         self.losses = losses
         self.collisions: dict[str, list[str]] = {}
 
-    def of(self, link: Link, body: str) -> list[Tag]:
+    def of(self, link: Link, body: str) -> list[Element]:
         """Return the collisions and visuals of a link, for the body that it is part of."""
         frame = None if link.name == body else self._names.links[link.name]
-        tags = []
+        found = []
+        more = self._blocks.surfaces.get(link.name, [])
         for index, collision in enumerate(link.collisions):
-            surface = self._surface(link.name, index)
-            extra = [*self._blocks.collisions.get(link.name, ()), *surface]
-            tag = self._shape("collision", link, body, collision, frame, extra)
-            if tag is not None:
-                tags.append(tag)
-                self.collisions.setdefault(link.name, []).append(str(tag.attributes["name"]))
+            surface = self._surfaces.get((link.name, index))
+            extra = [*self._blocks.collisions.get(link.name, ())]
+            if surface is not None or more:  # by the words of YAML, and those of Gazebo
+                extra.append(surface_of(surface, more))
+            made = self._shape("collision", link, body, collision, frame, extra)
+            if made is not None:
+                found.append(made)
+                self.collisions.setdefault(link.name, []).append(str(made.attributes["name"]))
         for visual in link.visuals:
-            tag = self._shape("visual", link, body, visual, frame, self._material(link, visual))
-            if tag is not None:
-                tags.append(tag)
-        return tags
-
-    def _surface(self, link: str, index: int) -> list[Tag]:
-        """Return the surface of a collision, by the words of YAML and those of Gazebo."""
-        surface = self._surfaces.get((link, index))
-        more = self._blocks.surfaces.get(link, [])
-        return [surface_of(surface, more)] if surface is not None or more else []
+            made = self._shape("visual", link, body, visual, frame, self._material(link, visual))
+            if made is not None:
+                found.append(made)
+        return found
 
     def _shape(
         self,
@@ -84,55 +79,47 @@ class Shapes:
         body: str,
         shape: Collision | Visual,
         frame: str | None,
-        extra: Iterable[Tag],
-    ) -> Tag | None:
+        extra: Iterable[Element],
+    ) -> Element | None:
         """Return a collision or visual, or None if there is nothing to write."""
         solid = shape.shape
         if solid is None or (isinstance(solid, Mesh) and not self._wanted.has_meshes):
             return None
         if not isinstance(solid, Mesh) and min(solid.size) <= 0:
             what = "shapes with a size that is not positive"
-            owner = f"{solid.kind} of link '{link.name}'"
-            self.losses.append(Loss(LOST, what, owner, shape.span, trace=link.trace))
+            label = f"{solid.kind} of link '{link.name}'"
+            self.losses.lose(what, link, part=shape, label=label)
             return None
         name = self._named(kind, link, body, shape)
-        content: Content = [*pose_tag(shape.pose, frame)]
-        content += [Tag("geometry", [self._geometry(solid, link)]), *extra]
+        geometry = element("geometry", children=[self._geometry(solid, link)])
+        content = [*pose_of(shape.pose, frame), geometry, *extra]
         for blob in self._blocks.blobs.get(link.name, ()):
             if blob.name == kind:
                 content = _with_blob(content, blob)
-        return Tag(
-            kind,
-            content,
-            span=shape.span,
-            trace=link.trace,
-            name=name,
-        )
+        return element(kind, {"name": name}, children=content, owner=link, part=shape)
 
     def _named(self, kind: str, link: Link, body: str, shape: Collision | Visual) -> str:
         """Return a name that no other shape of the body has; note it if one is given."""
         wanted = shape.name or f"{link.name}_{kind}"
-        name = unused(wanted, self._used.setdefault(f"{body}/{kind}", set()))
+        name = self._used.fresh(f"{body}/{kind}", wanted)
         if shape.name and name != wanted:
-            trace = shape.trace_in(link)
-            owner = f"'{wanted}' of link '{link.name}'"
-            loss = Loss(RENAMED, f"{kind}s", owner, shape.span, trace=trace, how=name)
-            self.losses.append(loss)
+            label = f"'{wanted}' of link '{link.name}'"
+            self.losses.rename(f"{kind}s", link, part=shape, label=label, new=name)
         return name
 
-    def _geometry(self, shape: Shape, link: Link) -> Tag:
+    def _geometry(self, shape: Shape, link: Link) -> Element:
         if isinstance(shape, Box):
-            return Tag("box", [Tag("size", row_of(shape.size))])
+            return element("box", children=given(("size", row_of(shape.size))))
         if isinstance(shape, Sphere):
-            return Tag("sphere", [Tag("radius", shape.radius)])
+            return element("sphere", children=given(("radius", shape.radius)))
         if isinstance(shape, (Cylinder, Capsule)):
-            return Tag(shape.kind, given(("radius", shape.radius), ("length", shape.length)))
-        span = shape.span or link.span
-        uri = self._wanted.paths.named(shape.filename, span)
-        scale = [] if shape.scale == (1.0, 1.0, 1.0) else [Tag("scale", row_of(shape.scale))]
-        return Tag("mesh", [Tag("uri", uri), *scale])
+            sizes = given(("radius", shape.radius), ("length", shape.length))
+            return element(shape.kind, children=sizes)
+        uri = self._wanted.paths.named(shape.filename, shape.span or link.span)
+        scale = None if shape.scale == (1.0, 1.0, 1.0) else row_of(shape.scale)
+        return element("mesh", children=given(("uri", uri), ("scale", scale)))
 
-    def _material(self, link: Link, visual: Visual) -> list[Tag]:
+    def _material(self, link: Link, visual: Visual) -> list[Element]:
         """Return the colour and the texture of a visual; materials have no names in SDFormat."""
         material = self._robot.material_of(visual)
         if material is None or not material.is_defined:
@@ -141,30 +128,31 @@ class Shapes:
         is_named = span.key() != material.span.key()  # and not made of a colour
         if name and is_named and name not in self._nameless:
             self._nameless.add(name)
-            what, owner, trace = "names of materials", f"material '{name}'", material.trace_in(link)
-            self.losses.append(Loss(LOST, what, owner, span, trace=trace))
+            what, label = "names of materials", f"material '{name}'"
+            self.losses.lose(what, link, part=material, label=label, field="name")
         parts = []
         if material.color is not None:
             color = row_of(material.color)
-            parts += [Tag("ambient", color), Tag("diffuse", color)]
+            parts += given(("ambient", color), ("diffuse", color))
         if material.texture is not None:
             inner = material.inner("texture")
             span = inner.value_span("filename") if inner is not None else material.span
             uri = self._wanted.paths.named(material.texture, span)
-            parts.append(Tag("pbr", [Tag("metal", [Tag("albedo_map", uri)])]))
-        return [Tag("material", parts)]
+            metal = element("metal", children=given(("albedo_map", uri)))
+            parts.append(element("pbr", children=[metal]))
+        return [element("material", children=parts)]
 
 
-def _with_blob(content: Content, blob: Element) -> Content:
+def _with_blob(content: list[Element], blob: Element) -> list[Element]:
     """Return the content of a shape with what Gazebo puts in its place."""
-    given = list(blob.elements())
-    names = {each.name for each in given} - {"plugin"}
-    for index, each in enumerate(given):
+    inner = blob.elements()
+    names = {each.name for each in inner} - {"plugin"}
+    for index, each in enumerate(inner):
         own = next((one for one in content if one.name == each.name == "surface"), None)
         if own is not None:
-            whole = own if isinstance(own, Element) else own.made(each.span, each.trace)
-            given[index] = _merged(each, whole)
-    return [*(each for each in content if each.name not in names), *given]
+            settle([own], each.span, each.trace)
+            inner[index] = _merged(each, own)
+    return [*(each for each in content if each.name not in names), *inner]
 
 
 def _merged(one: Element, other: Element) -> Element:

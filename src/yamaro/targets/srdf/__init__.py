@@ -3,9 +3,3 @@
 Source: the documentation of SRDF, http://wiki.ros.org/srdf, and how MoveIt's setup assistant finds
 pairs of links, `compute_default_collisions` of moveit_setup_assistant.
 """
-
-from __future__ import annotations
-
-from .semantics import write
-
-__all__ = ["write"]

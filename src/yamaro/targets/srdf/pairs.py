@@ -13,6 +13,7 @@ from __future__ import annotations
 from itertools import combinations
 
 from ...model.schema import DEFAULT_SAMPLES, DEFAULT_SEED
+from ..table import TARGETS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -48,7 +49,10 @@ def disabled_pairs(robot: Robot, wanted: Wanted) -> list[Pair]:
     rest = [pair for pair in map(_both, combinations(solid, 2)) if pair not in found]
     rest = [pair for pair in rest if pair not in kept]
     if rest:
-        from .sampling import reasons_for
+        try:
+            from .contacts import reasons_for
+        except ImportError:
+            raise TARGETS["srdf"].missing(robot.span) from None
 
         samples = DEFAULT_SAMPLES if settings is None else settings.samples
         seed = DEFAULT_SEED if settings is None else settings.seed

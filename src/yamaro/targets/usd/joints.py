@@ -15,11 +15,8 @@ from ...model.kinematics import WORLD
 from ...model.pose import Pose, multiply, rotation_about, rotation_from_z
 from ...model.schema import ACTUATOR
 from ..gains import POSITION, VELOCITY, Gains
-from ..holding import lost_fields
-from ..output import APPROXIMATED, LOST, Loss
-from ..shared_losses import lost_of_actuator, lost_of_joints
-from .poses import quaternion_of
-from .prims import tag_of
+from ..holding import lost_fields, lost_of_actuator, lost_of_joints
+from .prims import element_of, quaternion_of
 
 if TYPE_CHECKING:
     from ...model.extras import Actuator, Loop
@@ -27,11 +24,10 @@ if TYPE_CHECKING:
     from ...model.link import Link
     from ...model.pose import Rotation, Vector
     from ...model.robot import Robot
-    from ...model.values import Written
     from ...source import Span
+    from ...xml.tree import Element
     from ..bodies import Bodies
-    from ..tags import Tag
-    from .names import Names
+    from .prims import Names
 
 KINDS = {PRISMATIC: UsdPhysics.PrismaticJoint, FIXED: UsdPhysics.FixedJoint}
 LOOPS = {
@@ -45,7 +41,7 @@ class JointWriter:
     """Makes the joints of one robot.
 
     Attributes:
-        tags: for each joint, an element at its place.
+        elements: for each joint, an element at its place.
         losses: what USD cannot hold.
     """
 
@@ -79,8 +75,8 @@ class JointWriter:
         self._is_fixed = is_fixed
         self._chosen = Gains(robot, is_fixed=is_fixed, has_armature=False)
         self._folder = names.new(root, "joints")
-        self.tags: list[Tag] = []
-        self.losses: list[Loss] = lost_of_joints(robot, "usd")
+        self.elements: list[Element] = []
+        self.losses = lost_of_joints(robot, "usd")
 
     def write(self) -> None:
         """Write all joints, with those that fix the roots in the world, and those of loops."""
@@ -94,7 +90,7 @@ class JointWriter:
                 self._lose_parts(joint)
                 if joint.type == FLOATING:
                     how = "links that no joint holds"
-                    self._lose(joint, joint, "floating joints", kind=APPROXIMATED, how=how)
+                    self.losses.approximate("floating joints", joint, how=how)
                 elif not bodies.is_dissolved(joint):
                     self._add(joint)
         for loop in robot.loops.values():
@@ -105,13 +101,12 @@ class JointWriter:
         prim = UsdPhysics.FixedJoint.Define(self._stage, path)
         carrier = self._bodies.carriers[root.name]
         self._connect(prim, None, carrier, Pose(), self._bodies.poses[root.name])
-        self.tags.append(tag_of(prim.GetPrim(), root.span, root.trace))
+        self.elements.append(element_of(prim.GetPrim(), root))
 
     def _add(self, joint: Joint) -> None:
         kind = UsdPhysics.RevoluteJoint if joint.type in SINGLE else UsdPhysics.Joint
         kind = KINDS.get(joint.type, kind)
-        span = joint.span_of("name")
-        path = self._names.told(self._folder, "joint", joint.name, span, joint.trace)
+        path = self._names.told(self._folder, "joint", joint.name, joint)
         prim = kind.Define(self._stage, path)
         turn = Pose() if joint.type == FIXED else Pose(_x_to(joint.axis))
         bodies = self._bodies
@@ -128,7 +123,7 @@ class JointWriter:
             self._drive(prim, joint)
         elif joint.type == PLANAR:
             _lock(prim, "transX", "rotY", "rotZ")
-        self.tags.append(tag_of(prim.GetPrim(), joint.span, joint.trace, self._places_in(joint)))
+        self.elements.append(element_of(prim.GetPrim(), joint, places=self._places_in(joint)))
 
     def _connect(
         self,
@@ -155,8 +150,8 @@ class JointWriter:
         if joint.type == CONTINUOUS or lower is None or upper is None:
             lower, upper = -inf, inf
         if lower > upper:
-            what = "limits in the wrong order"
-            self._lose(joint, joint, what, kind=APPROXIMATED, how="swapping them")
+            what, how = "limits in the wrong order", "swapping them"
+            self.losses.approximate(what, joint, how=how)
             lower, upper = upper, lower
         convert = float if joint.type == PRISMATIC else degrees
         prim.CreateLowerLimitAttr(convert(lower))
@@ -174,10 +169,11 @@ class JointWriter:
         kp, kd = self._gains(joint, actuator) if actuator is not None else (0.0, 0.0)
         if actuator is not None and actuator.command not in (POSITION, VELOCITY):
             what, how = "effort actuators", "drives without gains"
-            self._lose(joint, actuator, what, kind=APPROXIMATED, how=how)
+            self.losses.approximate(what, joint, part=actuator, how=how)
         if joint.dynamics is not None and damping:
             what, how = "damping values of joints", "the damping of their drives"
-            self._lose(joint, joint.dynamics, what, "damping", kind=APPROXIMATED, how=how)
+            part = joint.dynamics
+            self.losses.approximate(what, joint, part=part, field="damping", how=how)
         drive = UsdPhysics.DriveAPI.Apply(prim.GetPrim(), "linear" if is_linear else "angular")
         drive.CreateTypeAttr("force")
         if effort is not None:
@@ -203,21 +199,7 @@ class JointWriter:
         self.losses += lost_of_actuator(actuator)
         for name, missing in lost_fields("usd", "actuator").items():
             if getattr(actuator, name) not in (None, ACTUATOR.fields[name].default or 0.0):
-                self._lose(joint, actuator, missing.what, name)
-
-    def _lose(
-        self,
-        joint: Joint,
-        part: Written,
-        what: str,
-        attribute: str = "",
-        *,
-        kind: str = LOST,
-        how: str = "",
-    ) -> None:
-        span = part.span_of(attribute) if attribute else part.span
-        owner, trace = f"joint '{joint.name}'", part.trace_in(joint)
-        self.losses.append(Loss(kind, what, owner, span, trace=trace, how=how))
+                self.losses.lose(missing.what, joint, part=actuator, field=name)
 
     def _places_in(self, joint: Joint) -> dict[str, Span]:
         """Return where the values of a joint are written, by their names in USD."""
@@ -242,7 +224,7 @@ class JointWriter:
 
     def _close(self, loop: Loop) -> None:
         """Write the joint of a loop, which is not part of the articulation."""
-        path = self._names.told(self._folder, "loop", loop.name, loop.span_of("name"), loop.trace)
+        path = self._names.told(self._folder, "loop", loop.name, loop)
         prim = LOOPS[loop.type].Define(self._stage, path)
         first, second = loop.between
         bodies, turn = self._bodies, Pose()
@@ -257,7 +239,7 @@ class JointWriter:
             bodies.poses[second] @ turn,
         )
         prim.CreateExcludeFromArticulationAttr(True)
-        self.tags.append(tag_of(prim.GetPrim(), loop.span, loop.trace))
+        self.elements.append(element_of(prim.GetPrim(), loop))
 
 
 def _x_to(axis: Vector) -> Rotation:

@@ -1,41 +1,117 @@
-"""Prims as elements, at the places of what they are made of: what `yamaro why` looks up."""
+"""Prims of USD: their names, their poses, and elements at the places of what they are made of."""
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING
 
-from ..tags import Tag, text_of
+from pxr import Gf, UsdGeom
+
+from ...model.pose import quaternion_from_rotation
+from ..elements import UsedNames, element
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterable, Mapping
 
     from pxr import Usd
 
-    from ...diagnostics import Frame as Step
+    from ...model.extras import Loop, Sensor
+    from ...model.joint import Joint
+    from ...model.link import Link
+    from ...model.pose import Pose
+    from ...model.values import Written
     from ...source import Span
+    from ...xml.tree import Element
+    from ..elements import Attributes, Owner
+    from ..losses import Losses
 
 
-def tag_of(
-    prim: Usd.Prim, span: Span, trace: Step | None, places: Mapping[str, Span] | None = None
-) -> Tag:
+def element_of(
+    prim: Usd.Prim,
+    owner: Owner,
+    *,
+    children: Iterable[Element] = (),
+    places: Mapping[str, Span] | None = None,
+) -> Element:
     """Return an element with the name, the path and the values of a prim that are one word.
 
-    They are called as in their schema: `upperLimit` is `physics:upperLimit` in the prim.
+    They are called as in their schema: `upperLimit` is `physics:upperLimit` in the prim. This is
+    what `yamaro why` looks up.
 
     Args:
         prim: the prim.
-        span: where it is written what it is made of.
-        trace: the calls and includes that led there.
+        owner: what it is made of.
+        children: the elements in it.
         places: where its values are written, if not there.
     """
     values = {each.GetBaseName(): each.Get() for each in prim.GetAuthoredAttributes()}
-    words = {
-        name: text_of(value)
-        for name, value in values.items()
-        if isinstance(value, (str, float, int))
-    }
-    path = str(prim.GetPath())
-    name = prim.GetName()
-    tag = Tag(prim.GetTypeName(), span=span, trace=trace, name=name, path=path, **words)
-    tag.places = places
-    return tag
+    attributes: Attributes = {"name": prim.GetName(), "path": str(prim.GetPath())}
+    for name, value in values.items():
+        if isinstance(value, (str, float, int)):
+            attributes[name] = value
+    return element(prim.GetTypeName(), attributes, children=children, owner=owner, places=places)
+
+
+# --- names of prims: letters, digits and underscores, with no digit at the start --------------
+
+
+_OTHER = re.compile(r"[^0-9A-Za-z_]")
+
+
+class Names:
+    """The names that prims have, by the path of the prim around them.
+
+    Attributes:
+        losses: what is renamed.
+    """
+
+    __slots__ = ("_used", "losses")
+
+    def __init__(self, losses: Losses) -> None:
+        self._used = UsedNames()
+        self.losses = losses
+
+    def new(self, around: str, name: str) -> str:
+        """Return the path of a new prim, with a name as near to this one as can be."""
+        plain = _OTHER.sub("_", name) or "_"
+        if plain[0].isdigit():
+            plain = f"_{plain}"
+        return f"{around}/{self._used.fresh(around, plain)}"
+
+    def told(
+        self, around: str, kind: str, name: str, owner: Link | Joint | Sensor | Loop,
+        part: Written | None = None,
+    ) -> str:  # fmt: skip
+        """Return the path of a new prim, and note it if its name is another one.
+
+        Args:
+            around: the path of the prim around it.
+            kind: what it is made of: `link`, `frame`, `joint`, `loop`, `sensor` or `material`.
+            name: what that is called.
+            owner: the same, or the link that has it.
+            part: the part of that link.
+        """
+        path = self.new(around, name)
+        new = path.rpartition("/")[2]
+        if new != name:
+            label = f"{kind} '{name}'"
+            self.losses.rename(f"{kind}s", owner, part=part, field="name", label=label, new=new)
+        return path
+
+
+# --- poses of prims ---------------------------------------------------------------------------
+
+
+def quaternion_of(pose: Pose) -> Gf.Quatd:
+    """Return the rotation of a pose; Gf's own way through an angle is exact to 1e-5 only."""
+    w, x, y, z = quaternion_from_rotation(pose.rotation)
+    return Gf.Quatd(w, x, y, z)
+
+
+def place(prim: UsdGeom.Xformable, pose: Pose, scale: tuple[float, ...] | None = None) -> None:
+    """Put a prim at a pose in the one around it, and scale it."""
+    xform = UsdGeom.Xformable(prim)
+    xform.AddTranslateOp().Set(Gf.Vec3d(*pose.position))
+    xform.AddOrientOp(UsdGeom.XformOp.PrecisionDouble).Set(quaternion_of(pose))
+    if scale is not None:
+        xform.AddScaleOp(UsdGeom.XformOp.PrecisionDouble).Set(Gf.Vec3d(*scale))

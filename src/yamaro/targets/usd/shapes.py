@@ -11,9 +11,9 @@ from ...diagnostics import failure
 from ...meshes.formats import MeshFileError, MissingLibraryError
 from ...model.link import Collision
 from ...model.shapes import Box, Capsule, Cylinder, Sphere
+from ..losses import Losses
 from ..mesh_contents import MeshContents
-from ..output import APPROXIMATED, LOST, RENAMED, Loss
-from .poses import place
+from .prims import place
 
 if TYPE_CHECKING:
     from ...meshes.surfaces import Surface
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from ...model.shapes import Mesh, SimpleShape
     from ...source import Span
     from ..output import Wanted
-    from .names import Names
+    from .prims import Names
 
     Color = tuple[float, ...]
 
@@ -60,7 +60,7 @@ class ShapeWriter:
         self._frictions: dict[tuple[float | None, ...], UsdShade.Material] = {}
         self._contents = MeshContents(wanted.paths)
         self._surfaces = {(each.link, each.index): each for each in robot.surfaces}
-        self.losses: list[Loss] = []
+        self.losses = Losses()
 
     def add(self, link: Link, path: str) -> None:
         """Write the shapes of a link under its prim."""
@@ -82,7 +82,8 @@ class ShapeWriter:
             if material is not None and material.texture is not None:
                 inner = material.inner("texture")
                 span = inner.value_span("filename") if inner is not None else material.span
-                self._lose("textures", f"'{material.texture}' of link '{link.name}'", span, link)
+                label = f"'{material.texture}' of link '{link.name}'"
+                self.losses.lose("textures", link, label=label, span=span)
             for prim, own in self._made(link, path, visual, name):
                 if color is not None and material is not None:
                     self._bind_look(prim, color, link, material)
@@ -98,8 +99,9 @@ class ShapeWriter:
             return []
         if isinstance(shape, (Box, Sphere, Cylinder, Capsule)):
             if min(shape.size) <= 0:
-                owner = f"{shape.kind} of link '{link.name}'"
-                self._lose("shapes with a size that is not positive", owner, item.span, link)
+                what = "shapes with a size that is not positive"
+                label = f"{shape.kind} of link '{link.name}'"
+                self.losses.lose(what, link, part=item, label=label)
                 return []
             return [(self._simple(shape, self._path(link, path, item, name), pose), None)]
         if not self._wanted.has_meshes:
@@ -119,9 +121,8 @@ class ShapeWriter:
         new = found.rpartition("/")[2]
         if is_first and item.name and new != name:
             kind = "collisions" if isinstance(item, Collision) else "visuals"
-            owner = f"'{name}' of link '{link.name}'"
-            trace = item.trace_in(link)
-            self.losses.append(Loss(RENAMED, kind, owner, item.span, trace=trace, how=new))
+            label = f"'{name}' of link '{link.name}'"
+            self.losses.rename(kind, link, part=item, label=label, new=new)
         return found
 
     def _simple(self, shape: SimpleShape, path: str, pose: Pose) -> Usd.Prim:
@@ -169,17 +170,15 @@ class ShapeWriter:
         """Return the surfaces of a mesh; note what USD does not take of it."""
         span = shape.span or link.span
         surfaces = self._read(shape.filename, span)
-        owner = f"'{shape.filename}' of link '{link.name}'"
+        label = f"'{shape.filename}' of link '{link.name}'"
         if surfaces is None:
-            self._lose("meshes that are not found", owner, span, link)
+            self.losses.lose("meshes that are not found", link, label=label, span=span)
             return []
         if isinstance(item, Collision):
-            what, how, trace = "meshes of collisions", "their convex hulls", item.trace_in(link)
-            label = f"link '{link.name}'"
-            loss = Loss(APPROXIMATED, what, label, item.span, trace=trace, how=how)
-            self.losses.append(loss)
+            what, how = "meshes of collisions", "their convex hulls"
+            self.losses.approximate(what, link, part=item, how=how)
         elif any(each.texture is not None for each in surfaces):
-            self._lose("textures", owner, span, link)
+            self.losses.lose("textures", link, label=label, span=span)
         return surfaces
 
     def _read(self, filename: str, span: Span) -> list[Surface] | None:
@@ -202,9 +201,8 @@ class ShapeWriter:
         if material is None:
             path = self._material_path("color") if written is None or not name else ""
             if not path and written is not None:
-                span, trace = written.span_of("name"), written.trace_in(link)
                 self._stage.DefinePrim(self._folder, "Scope")
-                path = self._names.told(self._folder, "material", name, span, trace)
+                path = self._names.told(self._folder, "material", name, link, written)
             material = self._looks[name, color] = self._look(path, color)
         UsdShade.MaterialBindingAPI.Apply(prim).Bind(material)
 
@@ -236,25 +234,15 @@ class ShapeWriter:
                     physics.CreateRestitutionAttr(surface.restitution)
             binding = UsdShade.MaterialBindingAPI.Apply(prim)
             binding.Bind(material, UsdShade.Tokens.weakerThanDescendants, "physics")
-        lost = []
         if surface.friction2 not in (None, surface.friction):
-            lost.append(("second coefficients of friction", "friction2"))
-        if surface.stiffness is not None:
-            lost.append(("stiffness of contacts", "stiffness"))
-        if surface.damping is not None:
-            lost.append(("damping of contacts", "damping"))
-        owner, trace = f"link '{surface.link}'", surface.trace
-        self.losses += [
-            Loss(LOST, what, owner, surface.span_of(attribute), trace=trace)
-            for what, attribute in lost
-        ]
+            self.losses.lose("second coefficients of friction", surface, field="friction2")
+        for name in ("stiffness", "damping"):
+            if getattr(surface, name) is not None:
+                self.losses.lose(f"{name} of contacts", surface, field=name)
 
     def _material_path(self, name: str) -> str:
         self._stage.DefinePrim(self._folder, "Scope")
         return self._names.new(self._folder, name)
-
-    def _lose(self, what: str, owner: str, span: Span, link: Link) -> None:
-        self.losses.append(Loss(LOST, what, owner, span, trace=link.trace))
 
 
 def _define_mesh(stage: Usd.Stage, path: str, surface: Surface, shape: Mesh) -> None:

@@ -180,9 +180,9 @@ class Builder:
 
 def ends_of(formats: list[str]) -> list[str]:
     """Return the ends of the names of documents, by their formats."""
-    from ...targets.writers import ENDINGS
+    from ...targets.table import TARGETS
 
-    endings = [ENDINGS[format] for format in formats]
+    endings = [TARGETS[format].ending for format in formats]
     return [
         f"{format}{ending}" if endings.count(ending) > 1 else ending[1:]
         for format, ending in zip(formats, endings, strict=True)

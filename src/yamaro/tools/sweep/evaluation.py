@@ -10,6 +10,7 @@ from ...diagnostics import Frame, YamaroError, did_you_mean, failure
 from ...files.regular import open_regular
 from ...runtime.modules import LocalModules
 from ...source import Source, Span
+from ...targets.table import TARGETS
 from ...terminal import shortened
 from .metrics import FORMAT, Metric, compiled, metrics_of, span_of_word
 
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
     Number = float | int | bool
 
 
-TEXTS = ("urdf", "mjcf", "sdf", "srdf", "usd")
+TEXTS = tuple(each.name for each in TARGETS.values() if not each.is_folder)
 """Parameters that take the document of an output format, as text."""
 PARAMETERS = ("arguments", "model", "scene", "robot", "index", *TEXTS)
 """What a function may ask for, by the names of its parameters."""

@@ -23,7 +23,7 @@ from ...source import holds_xml
 from ...syntax.argument_section import PATH
 from ...syntax.context import ParseContext, Rules
 from ...syntax.values import parse_value
-from ...targets.writers import ENDINGS
+from ...targets.table import TARGETS
 from ...terminal import shortened
 from ...yaml.nodes import PLAIN, MappingNode, ScalarNode, SequenceNode, is_null
 from ...yaml.reader import read
@@ -348,8 +348,8 @@ def planned(
             raise
     plan.formats = list(dict.fromkeys(study.formats))
     for format in plan.formats:
-        if format not in ENDINGS:
-            hint = did_you_mean(format, list(ENDINGS)) or f"the formats are {', '.join(ENDINGS)}"
+        if format not in TARGETS:
+            hint = did_you_mean(format, list(TARGETS)) or f"the formats are {', '.join(TARGETS)}"
             raise _wrong(study, "to", f"'{format}' is not a known output format", hint)
     plan.models = study.models
     plan.memory = policy.limits.memory

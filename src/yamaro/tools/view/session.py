@@ -19,7 +19,7 @@ from ...request import finder_for, reach_of, read_command_line
 from ...source import Source, holds_xml
 from ...targets.losses import diagnostics_of
 from ...targets.output import marked
-from ...targets.writers import ENDINGS
+from ...targets.table import TARGETS
 from .description import Description, Places, diagnostic_data, fault_data
 from .mesh_files import Library, MeshFiles
 from .variables import (
@@ -45,7 +45,8 @@ if TYPE_CHECKING:
 # --- downloads --------------------------------------------------------------------------------
 
 
-FORMATS = tuple(ENDINGS)
+FORMATS = tuple(each.name for each in TARGETS.values() if not each.is_folder)
+"""The output formats that the page offers."""
 _DATE = (1980, 1, 1, 0, 0, 0)
 """Of all files in an archive, so that the same robot gives the same bytes."""
 _MODE = 0o644 << 16
@@ -104,11 +105,11 @@ def packed(build: Build) -> tuple[str, bytes]:
     Raises:
         OSError: a mesh cannot be read any more.
     """
-    document = marked(b"".join(build.encoded()))
+    document = marked(b"".join(build.encoded()), TARGETS[build.format].comment)
     assets = build.assets
     if not assets:
         return build.file_name, document
-    stem = build.file_name.removesuffix(ENDINGS[build.format])
+    stem = build.file_name.removesuffix(TARGETS[build.format].ending)
     archive = io.BytesIO()
     with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as file:
         for name, content in {build.file_name: document, **assets}.items():

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
     from ...result import Build
     from ...source import Reading
-    from ...targets.output import Loss
+    from ...targets.losses import Loss
 
     Path = list[Element]
     Found = list[tuple[Path, str | None]]

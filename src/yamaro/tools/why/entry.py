@@ -21,10 +21,12 @@ SHAPES = ("visual", "collision", "geom", "mesh", "material")
 def _targets(arguments: Arguments) -> AllOptions:
     """Return the options of a build in all formats that show what is made of something."""
     from ...commands.formats import formats_in
+    from ...targets.table import TARGETS
 
+    shown = [each.name for each in TARGETS.values() if each.has_places]
     is_about_shapes = any(word in arguments.words[1] for word in SHAPES)
     return {
-        "target": list(dict.fromkeys(["urdf", "sdf", "mjcf", *formats_in(arguments)])),
+        "target": list(dict.fromkeys([*shown, *formats_in(arguments)])),
         "partial": True,
         "meshes": "relative" if is_about_shapes else "none",  # reading them takes time
         "gazebo": arguments.has("gazebo"),

@@ -12,17 +12,16 @@ from ...diagnostics import INHERITED
 from ...model.recognition import SURFACE_TAGS as READ_TAGS  # of links with collisions
 from ...model.values import attribute_text, content, numbers_in
 from ...xml.tree import Element
+from ..elements import element
 from ..foreign_xml import FOR_LUMPING
-from ..output import LOST, Loss
-from ..tags import Tag
+from ..losses import Losses
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Collection, Container, Iterable
+    from collections.abc import Collection, Container
 
     from ...diagnostics import Frame as Step
     from ...model.robot import Robot
-    from ...source import Span
 
 MODEL_TAGS = {
     **{name: name for name in ("static", "self_collide", "allow_auto_disable", "enable_wind")},
@@ -75,28 +74,27 @@ class GazeboBlocks:
 
     def __init__(self, robot: Robot) -> None:
         self._robot = robot
-        self.model: list[Tag | Element] = []
-        self.links: dict[str, list[Tag]] = {}
-        self.joints: dict[str, list[Tag]] = {}
-        self.collisions: dict[str, list[Tag]] = {}
-        self.surfaces: dict[str, list[tuple[str, Tag]]] = {}
+        self.model: list[Element] = []
+        self.links: dict[str, list[Element]] = {}
+        self.joints: dict[str, list[Element]] = {}
+        self.collisions: dict[str, list[Element]] = {}
+        self.surfaces: dict[str, list[tuple[str, Element]]] = {}
         self.blobs: dict[str, list[Element]] = {}
         self.sensors: list[tuple[str, Element]] = []
-        self.losses: list[Loss] = []
+        self.losses = Losses()
         for block in robot.element.elements():
             if block.name == "gazebo":
                 trace = None if block.trace is INHERITED else block.trace
                 self._read(block, attribute_text(block, "reference"), trace)
 
-    def left(self, bodies: Collection[str]) -> list[Loss]:
+    def left(self, bodies: Collection[str]) -> Losses:
         """Return the losses of elements for links that are not bodies of their own."""
-        return [
-            Loss(LOST, f"<{tag.name}> of links that are frames", f"link '{name}'", tag.span)
-            for name, tags in self.links.items()
-            if name not in bodies
-            for tag in tags
-            if tag.span is not None
-        ]
+        found = Losses()
+        for name, inner in self.links.items():
+            for each in inner if name not in bodies else ():
+                what, label = f"<{each.name}> of links that are frames", f"link '{name}'"
+                found.lose_xml(what, each, label=label, trace=None)
+        return found
 
     def copied_sensors(self) -> set[str]:
         """Return the names, in the model of the robot, of the sensors that are copied."""
@@ -119,7 +117,7 @@ class GazeboBlocks:
             if not taken and each.name not in FOR_LUMPING and not self._is_read(each, reference):
                 owner = f"'{reference}'" if reference is not None else "the robot"
                 what = f"Gazebo's <{each.name}> elements"
-                self.losses.append(Loss(LOST, what, owner, each.span, trace=trace))
+                self.losses.lose_xml(what, each, label=owner, trace=trace)
 
     def _is_read(self, each: Element, reference: str | None) -> bool:
         """Return whether the model of the robot has read an element of a link's surface."""
@@ -153,8 +151,8 @@ class GazeboBlocks:
         elif kind in ("visual", "collision"):
             self.blobs.setdefault(link, []).append(each)
         elif kind in LINK_TAGS:
-            tag = _flag(LINK_TAGS[kind], each, negated=kind == "turnGravityOff")
-            _put(self.links.setdefault(link, []), tag)
+            flag = _flag(LINK_TAGS[kind], each, negated=kind == "turnGravityOff")
+            _put(self.links.setdefault(link, []), flag)
         elif kind in COLLISION_TAGS:
             _put(self.collisions.setdefault(link, []), _same(COLLISION_TAGS[kind], each))
         elif kind in SURFACE_TAGS:
@@ -171,7 +169,7 @@ class GazeboBlocks:
         if kind == "sensor":
             self.sensors.append((joint, each))
         elif kind in ODE_TAGS:
-            ode = Tag("ode", [_flag(ODE_TAGS[kind], each)])
+            ode = element("ode", children=[_flag(ODE_TAGS[kind], each)])
             self.joints.setdefault(joint, []).append(ode)
         elif kind == "provideFeedback":
             self.joints.setdefault(joint, []).append(_flag("provide_feedback", each))
@@ -181,58 +179,47 @@ class GazeboBlocks:
 
     def lose_without_home(self, bodies: Container[str]) -> None:
         """Note what is said of links that are frames, or of shapes that a link does not have."""
-        for name, tags in self.links.items():
-            if name not in bodies:
-                self._lose_all(name, tags)
         links = self._robot.links
-        for name, tags in self.collisions.items():
-            if not links[name].collisions:
-                self._lose_all(name, tags)
-        for name, pairs in self.surfaces.items():
-            if not links[name].collisions:
-                self._lose_all(name, [tag for _, tag in pairs])
+        lost = [(name, each) for name, inner in self.links.items() for each in inner
+                if name not in bodies]  # fmt: skip
+        without = {name for name, link in links.items() if not link.collisions}
+        lost += [(name, each) for name, inner in self.collisions.items() for each in inner
+                 if name in without]  # fmt: skip
+        lost += [(name, each) for name, pairs in self.surfaces.items() for _, each in pairs
+                 if name in without]  # fmt: skip
         for name, blobs in self.blobs.items():
             for blob in blobs:
                 shapes = links[name].collisions if blob.name == "collision" else links[name].visuals
                 if not shapes:
-                    self._lose_one(name, blob.name, blob.span)
-
-    def _lose_all(self, link: str, tags: Iterable[Tag]) -> None:
-        for tag in tags:
-            self._lose_one(link, tag.name, tag.span or self._robot.links[link].span)
-
-    def _lose_one(self, link: str, name: str, span: Span) -> None:
-        what, trace = f"Gazebo's <{name}> elements", self._robot.links[link].trace
-        self.losses.append(Loss(LOST, what, f"link '{link}'", span, trace=trace))
+                    lost.append((name, blob))
+        for name, each in lost:
+            what, trace = f"Gazebo's <{each.name}> elements", links[name].trace
+            self.losses.lose_xml(what, each, label=f"link '{name}'", trace=trace)
 
 
-def _put(tags: list[Tag], tag: Tag) -> None:
+def _put(elements: list[Element], new: Element) -> None:
     """Add an element, in place of one of its name."""
-    tags[:] = [each for each in tags if each.name != tag.name]
-    tags.append(tag)
+    elements[:] = [each for each in elements if each.name != new.name]
+    elements.append(new)
 
 
-def physics_of(tags: list[Tag]) -> list[Tag]:
+def physics_of(parts: list[Element]) -> list[Element]:
     """Return the `<physics>` of a joint: what is for ODE is in one element."""
-    if not tags:
+    if not parts:
         return []
-    ode = {each.name: each for tag in tags if tag.name == "ode" for each in _inner(tag)}
-    rest = {tag.name: tag for tag in tags if tag.name != "ode"}  # what is said last counts
-    return [Tag("physics", [*([Tag("ode", ode.values())] if ode else []), *rest.values()])]
+    ode = {each.name: each for part in parts if part.name == "ode" for each in part.elements()}
+    rest = {part.name: part for part in parts if part.name != "ode"}  # what is said last counts
+    of_ode = [element("ode", children=ode.values())] if ode else []
+    return [element("physics", children=[*of_ode, *rest.values()])]
 
 
-def _inner(tag: Tag) -> list[Tag]:
-    content = tag.content
-    return [] if isinstance(content, (str, float, int)) else [t for t in content if type(t) is Tag]
-
-
-def _flag(name: str, origin: Element, *, negated: bool = False) -> Tag:
+def _flag(name: str, origin: Element, *, negated: bool = False) -> Element:
     """Return an element that is true or false, or the number that is written."""
     text = (content(origin) or "").lower()
     if text in TRUE or text in ("0", "false", ""):
         text = "true" if (text in TRUE) != negated else "false"
-    return Tag(name, text, span=origin.span)
+    return element(name, text=text, owner=origin)
 
 
-def _same(name: str, origin: Element) -> Tag:
-    return Tag(name, content(origin) or "", span=origin.span)
+def _same(name: str, origin: Element) -> Element:
+    return element(name, text=content(origin) or "", owner=origin)

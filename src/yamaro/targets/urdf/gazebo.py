@@ -5,16 +5,17 @@ Source: SDFormat 1.9 and its conversion of URDF, which moves what refers to a fr
 
 from __future__ import annotations
 
-from ..diagnostics import Reporter
-from ..model.joint import FIXED
-from ..xml.tree import Element
-from .sdf_sensors import details_of, surface_of, times_of, type_of
-from .tags import Tag, given
+from ...diagnostics import Reporter
+from ...model.joint import FIXED
+from ...xml.tree import Element
+from ..elements import element, given
+from ..sdf.sensors import details_of, surface_of, times_of, type_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ..model.extras import Sensor, Surface
-    from ..model.robot import Robot
+    from ...model.extras import Sensor, Surface
+    from ...model.robot import Robot
+    from ..elements import Attributes
 
 CONTROL = "ros2_control"
 
@@ -37,23 +38,17 @@ def with_gazebo(root: Element, robot: Robot, reporter: Reporter) -> Element:
 
 def _sensor(robot: Robot, sensor: Sensor) -> Element:
     """Return `<gazebo>` with a sensor, in the link or joint that it measures at."""
-    block = Tag(
-        "sensor",
-        [
-            *times_of(sensor),
-            *given(("gz_frame_id", sensor.frame)),
-            *details_of(sensor, [f"{sensor.link}_collision"]),
-        ],
-        name=sensor.name,
-        type=type_of(sensor),
-    )
+    attributes: Attributes = {"name": sensor.name, "type": type_of(sensor)}
+    details = details_of(sensor, [f"{sensor.link}_collision"])
+    named = given(("gz_frame_id", sensor.frame))
+    content = [element("sensor", attributes, children=[*times_of(sensor), *named, *details])]
     joint = robot.joints.get(sensor.joint or "")
-    is_kept = joint is not None and joint.type == FIXED
-    kept = [Tag("preserveFixedJoint", "true")] if is_kept else []
+    if joint is not None and joint.type == FIXED:
+        content.insert(0, element("preserveFixedJoint", text="true"))
     # A contact sensor is of the link's shapes, wherever its frame is.
     place = sensor.link if sensor.type == "contact" else sensor.frame
-    gazebo = Tag("gazebo", [*kept, block], reference=sensor.joint or place or "")
-    return gazebo.made(sensor.span, sensor.trace)
+    reference = sensor.joint or place or ""
+    return element("gazebo", {"reference": reference}, children=content, owner=sensor)
 
 
 def _surfaces(robot: Robot, reporter: Reporter) -> list[Element]:
@@ -73,14 +68,10 @@ def _surfaces(robot: Robot, reporter: Reporter) -> list[Element]:
             )
     made = []
     for link, surface in first.items():
-        gazebo = Tag("gazebo", _surface(surface), reference=link)
-        made.append(gazebo.made(surface.span, surface.trace))
+        if surface.restitution is None:
+            friction = given(("mu1", surface.friction), ("mu2", surface.friction2))
+            content = [*friction, *given(("kp", surface.stiffness), ("kd", surface.damping))]
+        else:  # it has no short form, and the short forms go astray beside the long one
+            content = [element("collision", children=[surface_of(surface)])]
+        made.append(element("gazebo", {"reference": link}, children=content, owner=surface))
     return made
-
-
-def _surface(surface: Surface) -> list[Tag]:
-    if surface.restitution is not None:
-        # Restitution has no short form, and the short forms go astray beside the long one.
-        return [Tag("collision", [surface_of(surface)])]
-    friction = given(("mu1", surface.friction), ("mu2", surface.friction2))
-    return [*friction, *given(("kp", surface.stiffness), ("kd", surface.damping))]

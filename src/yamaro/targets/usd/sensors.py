@@ -9,15 +9,15 @@ from pxr import Gf, UsdGeom
 
 from ...model.extras import Camera
 from ...model.pose import Pose, rotation_from_rpy
-from ..shared_losses import lost_in_sensor, lost_of_sensor, renamed_sensors
-from .poses import place
+from ..holding import lost_of_sensor, renamed_sensors
+from .prims import place
 
 if TYPE_CHECKING:
     from pxr import Usd
 
     from ...model.robot import Robot
-    from ..output import Loss
-    from .names import Names
+    from ..losses import Losses
+    from .prims import Names
 
 APERTURE = 20.955
 """The width of the sensor of a camera, in tenths of a unit: USD's default."""
@@ -26,7 +26,7 @@ VIEW = Pose(rotation_from_rpy(pi / 2, 0.0, -pi / 2))
 
 
 def add_cameras(
-    stage: Usd.Stage, robot: Robot, paths: dict[str, str], names: Names, losses: list[Loss]
+    stage: Usd.Stage, robot: Robot, paths: dict[str, str], names: Names, losses: Losses
 ) -> None:
     """Write the cameras of a robot; note the other sensors, of which the frames stay."""
     losses += renamed_sensors(robot)
@@ -34,10 +34,9 @@ def add_cameras(
         home = paths.get(sensor.frame or "") or paths.get(sensor.link or "")
         details = sensor.details
         if home is None or not isinstance(details, Camera):
-            losses.append(lost_in_sensor(sensor, f"{sensor.type} sensors"))
+            losses.lose(f"{sensor.type} sensors", sensor)
             continue
-        span = sensor.span_of("name")
-        path = names.told(home, "sensor", sensor.name, span, sensor.trace)
+        path = names.told(home, "sensor", sensor.name, sensor)
         camera = UsdGeom.Camera.Define(stage, path)
         place(camera, sensor.pose @ VIEW)
         width, height = details.size
@@ -45,5 +44,5 @@ def add_cameras(
         camera.CreateVerticalApertureAttr(APERTURE * height / width)
         camera.CreateFocalLengthAttr(APERTURE / (2 * tan(details.fov / 2)))
         camera.CreateClippingRangeAttr(Gf.Vec2f(*details.clip))
-        losses.append(lost_in_sensor(sensor, "sizes of cameras in pixels", "size"))
+        losses.lose("sizes of cameras in pixels", sensor, field="size")
         losses += lost_of_sensor(sensor, "usd")

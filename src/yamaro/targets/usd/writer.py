@@ -10,21 +10,21 @@ from ...diagnostics import YamaroError
 from ...model.kinematics import link_poses
 from ...model.pose import Pose
 from ..bodies import Bodies
+from ..elements import element
 from ..foreign_xml import foreign_losses
+from ..holding import lost_sections
 from ..inertia import Inertias
-from ..output import APPROXIMATED, Loss, Output
-from ..shared_losses import lost_sections
-from ..tags import Tag
-from .cameras import add_cameras
+from ..losses import RENAMED, Loss, Losses
+from ..output import Output
 from .joints import JointWriter
-from .names import Names
-from .poses import place, quaternion_of
-from .prims import tag_of
+from .prims import Names, element_of, place, quaternion_of
+from .sensors import add_cameras
 from .shapes import ShapeWriter
 
 if TYPE_CHECKING:
     from ...model.link import Inertial, Link
     from ...model.robot import Robot
+    from ...xml.tree import Element
     from ..output import Wanted
 
 POINT_RADIUS = 1e-6
@@ -35,12 +35,17 @@ PLACEHOLDER = 1e-3
 """The mass, in kg, of a body without any, since USD takes 0 for a mass that is not given."""
 
 
-def written(robot: Robot, wanted: Wanted) -> Output:
-    """Return a robot in USD."""
+def write(robot: Robot, wanted: Wanted) -> Output:
+    """Return a robot in USD, as text.
+
+    Raises:
+        YamaroError: a mesh cannot be read.
+    """
     model = _Model(robot, wanted)
     model.fill()
     text = model.stage.GetRootLayer().ExportToString()
-    root = Tag("usd", model.tags, name=model.root.rpartition("/")[2]).made(robot.span, None)
+    name = model.root.rpartition("/")[2]
+    root = element("usd", {"name": name}, children=model.elements, owner=robot.element)
     return Output(root, model.losses, text=text)
 
 
@@ -50,7 +55,7 @@ class _Model:
     Attributes:
         stage: the stage.
         root: the path of the robot's prim.
-        tags: for each prim, an element at the place of what it is made of.
+        elements: for each prim, an element at the place of what it is made of.
         losses: what USD cannot hold.
     """
 
@@ -60,13 +65,17 @@ class _Model:
         self._bodies = Bodies(robot)
         self._poses = link_poses(robot)
         self._inertias = Inertias(robot, is_fixed=wanted.is_fixed, repairs=wanted.repairs_inertia)
-        self.losses: list[Loss] = list(self._inertias.losses)
-        self.tags: list[Tag] = []
+        self.losses = Losses(self._inertias.losses)
+        self.elements: list[Element] = []
         self._names = Names(self.losses)
         self._paths: dict[str, str] = {}
         self.stage = _stage()
         name = robot.name or wanted.name
-        self.root = self._names.told("", "robot", name, robot.span_of("name"), None)
+        self.root = self._names.new("", name)
+        new = self.root[1:]
+        if new != name:
+            span, label = robot.span_of("name"), f"robot '{name}'"
+            self.losses.append(Loss(RENAMED, "robots", label, span, how=new))
         prim = UsdGeom.Xform.Define(self.stage, self.root).GetPrim()
         self.stage.SetDefaultPrim(prim)
         UsdPhysics.ArticulationRootAPI.Apply(prim)
@@ -87,7 +96,7 @@ class _Model:
         is_fixed, paths, names = self._wanted.is_fixed, self._paths, self._names
         joints = JointWriter(self.stage, robot, bodies, paths, names, self.root, is_fixed=is_fixed)
         joints.write()
-        self.tags += joints.tags
+        self.elements += joints.elements
         add_cameras(self.stage, robot, self._paths, self._names, self.losses)
         self.losses += self._shapes.losses
         self.losses += joints.losses
@@ -95,23 +104,22 @@ class _Model:
         self.losses += foreign_losses(robot)
 
     def _add_body(self, link: Link) -> None:
-        path = self._names.told(self.root, "link", link.name, link.span_of("name"), link.trace)
+        path = self._names.told(self.root, "link", link.name, link)
         self._paths[link.name] = path
         xform = UsdGeom.Xform.Define(self.stage, path)
         place(xform, self._poses[link.name])
         prim = xform.GetPrim()
         UsdPhysics.RigidBodyAPI.Apply(prim)
         self._set_mass(UsdPhysics.MassAPI.Apply(prim), link)
-        self.tags.append(tag_of(prim, link.span, link.trace))
+        self.elements.append(element_of(prim, link))
         self._shapes.add(link, path)
 
     def _add_frame(self, link: Link, carrier: str) -> None:
-        around = self._paths[carrier]
-        path = self._names.told(around, "frame", link.name, link.span_of("name"), link.trace)
+        path = self._names.told(self._paths[carrier], "frame", link.name, link)
         self._paths[link.name] = path
         xform = UsdGeom.Xform.Define(self.stage, path)
         place(xform, self._bodies.poses[link.name])
-        self.tags.append(tag_of(xform.GetPrim(), link.span, link.trace))
+        self.elements.append(element_of(xform.GetPrim(), link))
         self._shapes.add(link, path)
 
     # --- mass ---
@@ -119,7 +127,7 @@ class _Model:
     def _set_mass(self, mass: UsdPhysics.MassAPI, link: Link) -> None:
         inertial = link.inertial
         if inertial is None or inertial.mass <= 0:
-            self._lose(APPROXIMATED, "links without mass", link, "links of 1 g")
+            self.losses.approximate("links without mass", link, how="links of 1 g")
             moment = 2 / 5 * PLACEHOLDER * 0.01**2
             mass.CreateMassAttr(PLACEHOLDER)
             mass.CreateDiagonalInertiaAttr(Gf.Vec3f(moment))
@@ -134,20 +142,18 @@ class _Model:
     def _principal(self, link: Link, inertial: Inertial) -> tuple[tuple[float, float, float], Pose]:
         """Return the principal moments, and T_link_axes."""
         if not any(inertial.inertia):
-            self._lose(APPROXIMATED, "point masses", link, "balls with a radius of 1 µm")
+            how = "balls with a radius of 1 µm"
+            self.losses.approximate("point masses", link, how=how)
             moment = 2 / 5 * inertial.mass * POINT_RADIUS**2
             return (moment, moment, moment), inertial.pose
         principal = self._inertias.by_link[link.name]
         first, second, third = moments = principal.moments
         least = SMALLEST * max(moments)
         if min(moments) < least:
-            self._lose(APPROXIMATED, "moments of inertia of 0", link, "a billionth of the greatest")
+            how = "a billionth of the greatest"
+            self.losses.approximate("moments of inertia of 0", link, how=how)
             moments = (max(first, least), max(second, least), max(third, least))
         return moments, principal.pose
-
-    def _lose(self, kind: str, what: str, link: Link, how: str = "") -> None:
-        owner = f"link '{link.name}'"
-        self.losses.append(Loss(kind, what, owner, link.span, trace=link.trace, how=how))
 
 
 def _stage() -> Usd.Stage:

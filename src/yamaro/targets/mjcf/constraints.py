@@ -1,4 +1,4 @@
-"""Pairs of bodies that do not collide: that a joint connects, or that overlap at home."""
+"""Constraints: joints that follow others, joints that close loops, pairs that do not collide."""
 
 from __future__ import annotations
 
@@ -6,17 +6,110 @@ from itertools import combinations
 
 from ...model.convex import near, overlap
 from ...model.joint import FIXED
-from ..output import LOST
-from .solids import solids_at_home
-from .writing import Writing, made
+from ...model.pose import UNTURNED, Pose, rotate, transposed
+from ..elements import element
+from ..holding import leader_of
+from .model import EQUALITY, SITE, Writing, pose_attributes
+from .scene import home_poses, solids_at_home
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+    from ...model.extras import Loop
     from ...model.link import Link
+    from ...model.pose import Vector
+    from ...source import Span
+    from ..elements import Attributes
 
     Pairs = set[tuple[str, str]]
+
+HINGE_LENGTH = 0.1
+"""The distance in metres of the two points that make the axis of a hinge."""
+
+
+def add_mimics(writing: Writing) -> None:
+    """Append an equality for each joint that follows another."""
+    robot = writing.robot
+    for joint in robot.joints.values():
+        mimic, leader = joint.mimic, leader_of(robot, joint)
+        if mimic is None or leader is None or joint.child not in writing.plan.carriers:
+            continue
+        places: dict[str, Span] = {
+            "joint2": mimic.span_of("joint"),
+            "polycoef": mimic.span_of("multiplier"),
+        }
+        attributes: Attributes = {
+            "name": writing.names.fresh(EQUALITY, joint.name),
+            "class": writing.classes.model,
+            "joint1": joint.name,
+            "joint2": leader.name,
+            "polycoef": (mimic.offset, mimic.multiplier, 0, 0, 0),
+        }
+        made = element("joint", attributes, owner=joint, part=mimic, places=places)
+        writing.add("equality", made)
+
+
+def add_loops(writing: Writing) -> None:
+    """Append the equalities of joints that close loops."""
+    for loop in writing.robot.loops.values():
+        first, second = loop.between
+        if not {first, second} <= writing.plan.carriers.keys():
+            writing.losses.lose("loops between links that are not there", loop)
+        elif loop.type == "fixed":
+            _add(writing, loop, "weld", loop.name, (None, None))
+        else:
+            _add(writing, loop, "connect", loop.name, (None, None))
+            if loop.type == "revolute" and loop.axis is not None:
+                _add(writing, loop, "connect", f"{loop.name}_axis", _axes(writing, loop, loop.axis))
+
+
+def _axes(writing: Writing, loop: Loop, axis: Vector) -> tuple[Vector, Vector]:
+    """Return the axis of a loop's hinge in both of its frames, as the robot stands at home."""
+    poses = home_poses(writing)
+    first, second = (poses[name].rotation for name in loop.between)
+    return axis, rotate(transposed(second), rotate(first, axis))
+
+
+def _add(
+    writing: Writing,
+    loop: Loop,
+    word: str,
+    wanted: str,
+    axes: tuple[Vector, Vector] | tuple[None, None],
+) -> None:
+    """Append an equality of two sites: those of two frames, or points on the axes in them."""
+    name = writing.names.fresh(EQUALITY, wanted)
+    sites = [
+        _site(writing, loop, frame, f"{wanted}_{index}", axis)
+        for index, (frame, axis) in enumerate(zip(loop.between, axes, strict=True), start=1)
+    ]
+    attributes: Attributes = {
+        "name": name,
+        "class": writing.classes.model,
+        "site1": sites[0],
+        "site2": sites[1],
+    }
+    writing.add("equality", element(word, attributes, owner=loop))
+
+
+def _site(writing: Writing, loop: Loop, frame: str, wanted: str, axis: Vector | None) -> str:
+    """Return the site of a frame, or a new one: in a body, or on an axis."""
+    plan = writing.plan
+    if axis is None and frame in plan.sites:
+        return frame
+    pose = plan.poses[frame]
+    if axis is not None:
+        x, y, z = (HINGE_LENGTH * part for part in axis)
+        pose = pose @ Pose(UNTURNED, (x, y, z))
+    name = writing.names.fresh(SITE, wanted)
+    attributes: Attributes = {"name": name, "class": writing.classes.frame, **pose_attributes(pose)}
+    writing.body_of(frame).children.append(element("site", attributes, owner=loop))
+    return name
+
+
+# --- contacts ---------------------------------------------------------------------------------
+
 
 KEEP_HINT = "`keep` of `collisions` names the pairs that have contacts in any case"
 
@@ -42,9 +135,8 @@ def add_excludes(writing: Writing) -> None:
         if frozenset((first.name, second.name)) not in kept:
             if _exclude(writing, first, second, seen):
                 what = "contacts of links that overlap at home"
-                owner = f"links '{first.name}' and '{second.name}'"
-                span, trace = second.span, second.trace
-                writing.lose(LOST, what, owner, span, trace=trace, hint=KEEP_HINT)
+                label = f"links '{first.name}' and '{second.name}'"
+                writing.losses.lose(what, second, label=label, hint=KEEP_HINT)
 
 
 def _exclude(writing: Writing, first: Link, second: Link, seen: Pairs) -> bool:
@@ -53,9 +145,9 @@ def _exclude(writing: Writing, first: Link, second: Link, seen: Pairs) -> bool:
     if pair in seen or pair[::-1] in seen:
         return False
     seen.add(pair)
-    attributes = {"body1": pair[0], "body2": pair[1]}
     owner = writing.robot.parent_joint(second.name) or second
-    writing.add("contact", made("exclude", owner, attributes, owner.trace))
+    made = element("exclude", {"body1": pair[0], "body2": pair[1]}, owner=owner)
+    writing.add("contact", made)
     return True
 
 

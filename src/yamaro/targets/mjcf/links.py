@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from ...model.kinematics import link_poses
+from ...model.kinematics import WORLD, link_poses
 from ...xml.tree import Element
-from ..output import LOST, RENAMED
-from .inertials import inertial_of
+from ..elements import element, number, row
+from ..inertia import written_moments
 from .joints import add_joints
-from .names import JOINT, WORLD, stem_of
-from .solids import heights_at
-from .writing import Writing, made, number, pose_attributes, row
+from .model import JOINT, Writing, pose_attributes, stem_of
+from .scene import heights_at
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ...model.joint import Joint
     from ...model.link import Link
     from ...source import Span
+    from ..elements import Attributes
 
 
 def add_bodies(writing: Writing) -> None:
@@ -23,7 +23,14 @@ def add_bodies(writing: Writing) -> None:
     for link in writing.plan.order:
         name = link.name
         if link is writing.plan.world:
-            _lose_mass_of_world(writing, link)
+            if link.mass:
+                writing.losses.lose(
+                    "masses of the world",
+                    link,
+                    part=link.inertial,
+                    label=f"{number(link.mass)} kg of the link '{WORLD}'",
+                    hint="give the link another name; a root named 'world' is the world of MJCF",
+                )
         elif writing.plan.carriers[name] == name:
             _add_body(writing, link)
         else:
@@ -35,21 +42,19 @@ def _add_body(writing: Writing, link: Link) -> None:
     parent, pose = writing.plan.place_of(link)
     name = writing.body_name(link.name)
     if name != link.name:
-        writing.lose(RENAMED, "links", f"link '{link.name}'", link.span, trace=link.trace, how=name)
+        writing.losses.rename("links", link, new=name)
     joint = writing.robot.parent_joint(link.name)
-    is_outermost = parent is None
-    attributes = {
+    attributes: Attributes = {
         "name": name,
         **pose_attributes(pose),
-        "childclass": writing.classes.model if is_outermost else None,
+        "childclass": writing.classes.model if parent is None else None,
     }
-    body = writing.bodies[link.name] = made(
-        "body", link, attributes, link.trace, _Places(link, joint)
-    )
+    body = element("body", attributes, owner=link, places=_Places(link, joint))
+    writing.bodies[link.name] = body
     if joint is None and link.name not in writing.plan.static:
         free = writing.names.fresh(JOINT, f"{stem_of(link.name)}_free")
         writing.motions[free] = (link.name, "base")
-        body.children.append(made("freejoint", link, {"name": free}, link.trace))
+        body.children.append(element("freejoint", {"name": free}, owner=link))
     inertial = inertial_of(writing, link)
     if inertial is not None:
         body.children.append(inertial)
@@ -63,13 +68,12 @@ def _add_site(writing: Writing, link: Link) -> None:
     """Append the site of an empty link on a fixed joint."""
     joint = writing.robot.parent_joint(link.name)
     assert joint is not None, "a root is a body"
-    pose = writing.plan.poses[link.name]
-    attributes = {
+    attributes: Attributes = {
         "name": link.name,
         "class": writing.classes.frame,
-        **pose_attributes(pose),
+        **pose_attributes(writing.plan.poses[link.name]),
     }
-    site = made("site", link, attributes, link.trace, _Places(link, joint))
+    site = element("site", attributes, owner=link, places=_Places(link, joint))
     writing.body_of(link.name).children.append(site)
 
 
@@ -88,19 +92,6 @@ class _Places:
             return self._link.span_of("name")
         is_pose = attribute in ("pos", "quat") and self._joint is not None
         return self._joint.origin.span if is_pose and self._joint is not None else None
-
-
-def _lose_mass_of_world(writing: Writing, link: Link) -> None:
-    if link.mass:
-        assert link.inertial is not None
-        writing.lose(
-            LOST,
-            "masses of the world",
-            f"{number(link.mass)} kg of the link '{WORLD}'",
-            link.inertial.span,
-            trace=link.trace,
-            hint="give the link another name; a root named 'world' is the world of MJCF",
-        )
 
 
 def sort_bodies(writing: Writing) -> None:
@@ -124,3 +115,29 @@ _RANKS = {name: rank for rank, name in enumerate(_ORDER)}
 
 def _rank(node: object) -> int:
     return _RANKS.get(node.name, len(_ORDER)) if isinstance(node, Element) else len(_ORDER)
+
+
+# --- the mass of a link as MJCF takes it: along the principal axes of its inertia -------------
+
+
+def inertial_of(writing: Writing, link: Link) -> Element | None:
+    """Return the `<inertial>` of a link, or None if it has neither mass nor inertia."""
+    inertial, principal = link.inertial, writing.inertias.by_link.get(link.name)
+    if inertial is None or principal is None:
+        return None
+    pose = pose_attributes(principal.pose)
+    places: dict[str, Span] = {}
+    mass, inertia, origin = (inertial.inner(name) for name in ("mass", "inertia", "origin"))
+    if mass is not None:
+        places["mass"] = mass.value_span("value")
+    if inertia is not None:
+        places["diaginertia"] = inertia.span
+    if origin is not None:
+        places |= {"pos": origin.value_span("xyz"), "quat": origin.value_span("rpy")}
+    attributes: Attributes = {
+        "pos": pose["pos"] or "0 0 0",
+        "quat": pose["quat"],
+        "mass": principal.mass,
+        "diaginertia": written_moments(principal.moments),
+    }
+    return element("inertial", attributes, owner=link, part=inertial, places=places)

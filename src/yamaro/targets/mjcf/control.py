@@ -1,0 +1,161 @@
+"""Actuators, and keyframes: what drives the joints, and where they rest."""
+
+from __future__ import annotations
+
+from math import inf
+
+from ...model.joint import SINGLE
+from ...model.kinematics import joint_positions, link_poses
+from ...model.pose import IDENTITY
+from ...model.positions import HOME, positions_in
+from ..elements import element
+from ..gains import EFFORT, POSITION, VELOCITY, Gains
+from ..holding import lost_of_actuator
+from .joints import effort_of, numbers_of, range_of
+from .model import ACTUATOR, JOINTS, Writing
+from .scene import heights_at
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ...model.extras import Actuator, State
+    from ...model.joint import Joint
+    from ...model.pose import Pose
+    from ...source import Span
+    from ...xml.tree import Element
+    from ..elements import Attributes
+
+WORDS = {POSITION: "position", VELOCITY: "velocity", EFFORT: "motor"}
+
+
+def add_actuators(writing: Writing) -> None:
+    """Append the actuators, in the order of the joints."""
+    robot = writing.robot
+    gains = Gains(robot, is_fixed=writing.wanted.is_fixed, has_armature=True)
+    for name, actuator in robot.actuators.items():
+        joint = robot.joints.get(name)
+        is_driven = joint is not None and joint.type in SINGLE and joint.mimic is None
+        if joint is None or not is_driven or robot.parent_joint(joint.child) is not joint:
+            writing.losses.lose("actuators of joints that are not independent", actuator)
+            continue
+        _add_actuator(writing, actuator, joint, gains)
+
+
+def _add_actuator(writing: Writing, actuator: Actuator, joint: Joint, gains: Gains) -> None:
+    """Append an actuator.
+
+    Its control is the position, velocity or effort of the motor: with a gear, not of the joint.
+    """
+    writing.losses += lost_of_actuator(actuator)
+    gear = actuator.gear or 1.0
+    command = actuator.command
+    effort = effort_of(joint)
+    force = (-effort / abs(gear), effort / abs(gear)) if effort is not None else None
+    places: dict[str, Span] = {"joint": actuator.span_of("joint")}
+    for key, source in (("kp", "kp"), ("kv", "kd"), ("gear", "gear")):
+        places[key] = actuator.span_of(source)
+    if joint.limit is not None:
+        places["forcerange"] = joint.limit.span_of("effort")
+    control = _control(joint, command, gear, force)
+    attributes: Attributes = {
+        "name": writing.names.fresh(ACTUATOR, joint.name),
+        "joint": joint.name,
+        **_gains(actuator, joint, gains, gear * gear),
+        "gear": gear if gear != 1 else None,
+        "ctrlrange": control,
+        "forcerange": force if command != EFFORT else None,
+    }
+    writing.controls.append((joint.name, command, gear))
+    word = WORDS.get(command, "motor")
+    writing.add("actuator", element(word, attributes, owner=actuator, places=places))
+
+
+def _control(
+    joint: Joint, command: str, gear: float, force: tuple[float, float] | None
+) -> tuple[float, float] | None:
+    """Return the least and the greatest control, or None for no limits."""
+    if command == EFFORT:
+        return force
+    if command == VELOCITY:
+        fastest = joint.limit.velocity if joint.limit is not None else None
+        if fastest is None or not 0 < fastest < inf:
+            return None
+        return (-fastest * abs(gear), fastest * abs(gear))
+    ends = range_of(joint)
+    if ends is None:
+        return None
+    lower, upper = sorted((ends[0] * gear, ends[1] * gear))
+    return (lower, upper)
+
+
+def _gains(actuator: Actuator, joint: Joint, gains: Gains, ratio: float) -> Attributes:
+    """Return the gains of a servo, at the motor; those of the joint are `ratio` times as large."""
+    if actuator.command == EFFORT:
+        return {}
+    if actuator.command == VELOCITY:
+        return {"kv": gains.of_velocity(joint, actuator) / ratio}
+    stiffness = actuator.kp if actuator.kp is not None else gains.of_position(joint)
+    found: Attributes = {"kp": stiffness / ratio}
+    if actuator.kd is not None:
+        found["kv"] = actuator.kd / ratio
+    else:
+        found["dampratio"] = 1
+    return found
+
+
+# --- keyframes: the robot's states, and where it rests if it says nothing of `home` -----------
+
+
+def add_keyframes(writing: Writing, raw: list[Element]) -> None:
+    """Append a keyframe for each state, `home` first.
+
+    Args:
+        writing: the run.
+        raw: the XML that the file holds for the model; its actuators come after ours.
+    """
+    bodies = writing.sections["worldbody"].iter()
+    order = [str(each.attributes.get("name")) for each in bodies if each.name in JOINTS]
+    if not order:
+        return
+    if not writing.motions.keys() >= set(order):  # of joints that the file has for MJCF alone
+        for state in writing.robot.states.values():
+            what = "states of robots with joints of their own in MJCF"
+            writing.losses.lose(what, state, label=f"'{state.name}'")
+        return
+    others = sum(len(each.elements()) for each in raw if each.name == "actuator")
+    states = dict(writing.robot.states)
+    home = states.pop(HOME, None)
+    _add_key(writing, HOME, home, order, others)
+    for name, state in states.items():
+        _add_key(writing, name, state, order, others)
+
+
+def _add_key(
+    writing: Writing, name: str, state: State | None, order: list[str], others: int
+) -> None:
+    """Append a keyframe: a number for each of `qpos`, and for each actuator, also for others."""
+    given = positions_in(writing.robot, state)
+    positions = joint_positions(writing.robot, given)
+    heights = heights_at(writing, link_poses(writing.robot, given))
+    numbers: list[float] = []
+    for joint in order:
+        source, part = writing.motions[joint]
+        found = numbers_of(part, positions.get(source, 0.0), _origin(writing, source))
+        if part in ("base", "free"):
+            link = source if part == "base" else writing.robot.joints[source].child
+            found[2] += heights.get(link, 0.0)
+        numbers += found
+    controls = []
+    for joint, command, gear in writing.controls:
+        target = positions.get(joint) if command == POSITION else None
+        controls.append(target * gear if isinstance(target, float) else 0.0)
+    controls += [0.0] * others
+    attributes: Attributes = {"name": name, "qpos": numbers, "ctrl": controls or None}
+    writing.add("keyframe", element("key", attributes, owner=state or writing.robot.element))
+
+
+def _origin(writing: Writing, source: str) -> Pose:
+    """Return T_world_joint of a joint that is free in the world."""
+    joint = writing.robot.joints.get(source)
+    if joint is None or joint.parent not in writing.plan.static:
+        return IDENTITY
+    return writing.plan.static[joint.parent] @ joint.origin

@@ -1,0 +1,145 @@
+"""A robot's groups, states and end effectors, and the pairs of links that need no check."""
+
+from __future__ import annotations
+
+from ...diagnostics import Diagnostic, YamaroError
+from ...model.kinematics import WORLD
+from ..elements import element
+from ..losses import Losses
+from ..output import Output
+from .pairs import disabled_pairs
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ...model.extras import Group
+    from ...model.robot import Robot
+    from ...xml.tree import Element
+    from ..elements import Attributes
+    from ..output import Wanted
+
+
+def write(robot: Robot, wanted: Wanted) -> Output:
+    """Return the SRDF that belongs to a robot's URDF.
+
+    Raises:
+        YamaroError: links are seen that collide with nothing, or what samples is not installed.
+    """
+    _refuse_without_collisions(robot)
+    losses = Losses()
+    groups = robot.groups.values()
+    parts = [_group(group) for group in groups]
+    parts += _states(robot, losses)
+    parts += [_end_effector(robot, group) for group in groups if group.is_end_effector]
+    roots = robot.roots
+    if roots and roots[0].name != WORLD:
+        attributes: Attributes = {
+            "name": "virtual_joint",
+            "type": "fixed" if wanted.is_fixed else "floating",
+            "parent_frame": WORLD,
+            "child_link": roots[0].name,
+        }
+        parts.append(element("virtual_joint", attributes))
+    for pair in disabled_pairs(robot, wanted):
+        attributes = {"link1": pair.first, "link2": pair.second, "reason": pair.reason}
+        owner = robot.links[pair.first]
+        parts.append(element("disable_collisions", attributes, owner=owner))
+    name = robot.name or wanted.name
+    return Output(element("robot", {"name": name}, children=parts, owner=robot.element), losses)
+
+
+def _refuse_without_collisions(robot: Robot) -> None:
+    """Raise YamaroError if links can be seen and have no shape that collides."""
+    found = [each for each in robot.links.values() if each.visuals and not each.collisions]
+    if not found:
+        return
+    first = found[0]
+    others = f" and {len(found) - 1} more" if len(found) > 1 else ""
+    have = "have" if others else "has"
+    error = Diagnostic(
+        "missing-collision",
+        f"the link '{first.name}'{others} {have} visuals and no collision, so that SRDF cannot say "
+        "what it never touches",
+        first.span,
+        hint="add a collision; in a part, `collision:` takes the geometry of the link",
+        notes=[f"also the link '{each.name}', at {each.span.place()}" for each in found[1:]],
+        trace=first.trace,
+    )
+    raise YamaroError([error])
+
+
+# --- groups -----------------------------------------------------------------------------------
+
+
+def _group(group: Group) -> Element:
+    members = [element("link", {"name": name}) for name in group.links]
+    members += [element("joint", {"name": name}) for name in group.joints]
+    members += [element("chain", {"base_link": b, "tip_link": t}) for b, t in group.chains]
+    members += [element("group", {"name": name}) for name in group.groups]
+    return element("group", {"name": group.name}, children=members, owner=group)
+
+
+def _end_effector(robot: Robot, group: Group) -> Element:
+    parent = group.parent or ""
+    around = [
+        each.name
+        for each in robot.groups.values()
+        if each is not group and (parent in each.links or parent in (t for _, t in each.chains))
+    ]
+    attributes: Attributes = {
+        "name": group.name,
+        "parent_link": parent,
+        "group": group.name,
+        "parent_group": around[0] if around else None,
+    }
+    return element("end_effector", attributes, owner=group)
+
+
+def joints_of(robot: Robot, group: Group, *, seen: frozenset[str] = frozenset()) -> set[str]:
+    """Return the names of the joints in a group: of its chains, links, joints and groups."""
+    found = set(group.joints)
+    found |= {_above(robot, link) for link in group.links}
+    for base, tip in group.chains:
+        link = tip
+        while link != base:
+            joint = robot.parent_joint(link)
+            if joint is None:
+                break
+            found.add(joint.name)
+            link = joint.parent
+    seen |= {group.name}
+    for name in group.groups:
+        inner = robot.groups.get(name)
+        if inner is not None and name not in seen:
+            found |= joints_of(robot, inner, seen=seen)
+    return found - {""}
+
+
+def _above(robot: Robot, link: str) -> str:
+    joint = robot.parent_joint(link)
+    return "" if joint is None else joint.name
+
+
+def _states(robot: Robot, losses: Losses) -> list[Element]:
+    """Return each state for each group that it says something of."""
+    members = {name: joints_of(robot, group) for name, group in robot.groups.items()}
+    found = []
+    for state in robot.states.values():
+        left = set(state.positions)
+        # The fullest group comes first: pinocchio reads no other of a state.
+        parts = {
+            group: [name for name in state.positions if name in joints]
+            for group, joints in members.items()
+        }
+        for group, named in sorted(parts.items(), key=lambda part: -len(part[1])):
+            left -= set(named)
+            values = [
+                element("joint", {"name": name, "value": state.positions[name]}) for name in named
+            ]
+            if values:
+                where: Attributes = {"name": state.name, "group": group}
+                found.append(element("group_state", where, children=values, owner=state))
+        for joint in state.positions:
+            if joint in left:
+                what, label = "states of joints in no group", f"joint '{joint}' of '{state.name}'"
+                losses.lose(what, state, field=joint, label=label)
+    return found

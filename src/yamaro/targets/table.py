@@ -1,0 +1,220 @@
+"""The table of targets: the output formats, and what all of Yamaro has to know of each.
+
+The command line, Python, the docs and the tools read it. A target is a package of its name, whose
+module `writer` has the function `write`.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+
+from ..diagnostics import WARNING, Diagnostic, YamaroError, failure
+from .output import FOLDER, is_file_stem
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Collection, Sequence
+
+    from ..model.robot import Robot
+    from ..source import Span
+    from .output import Output, Wanted
+
+    Write = Callable[[Robot, Wanted], Output]
+
+BASES = ("fixed", "free")
+
+
+class Target:
+    """An output format.
+
+    Attributes:
+        name: what `--to` calls it, and its package.
+        title: what messages call it.
+        ending: the end of the name of its file, or of its folder if it is one.
+        comment: how a comment is written, or "" if the format has none: then the writer says itself
+            that the document was generated, with `MARK`.
+        is_folder: whether it is a folder of files, without a document.
+        is_simulator: whether it says whether the root is fixed in the world.
+        is_whole: whether it describes all of a robot, so that what it has no place for is lost.
+        has_places: whether each element of its document knows where in the file it comes from, and
+            is quick to write: `yamaro why` looks at these.
+        run: the format for which the file is run: another one that it belongs to, or its own.
+        versions: those that can be asked for, the default first.
+        beside: the names of files beside the document that are not in `FOLDER`.
+        library: what it needs that is not always installed, by the extra of its name.
+        endings: those of file names that promise this format.
+        refused: those of them that it cannot be written to; with `conversion`, how to get there.
+        conversion: for a file name without ending.
+        own_codes: the codes of what concerns a robot only in this format.
+    """
+
+    __slots__ = (
+        "beside", "comment", "conversion", "ending", "endings", "has_places", "is_folder",
+        "is_simulator", "is_whole", "library", "name", "own_codes", "refused", "run", "title",
+        "versions",
+    )  # fmt: skip
+
+    def __init__(
+        self,
+        name: str,
+        title: str,
+        ending: str,
+        *,
+        comment: str = "<!-- {} -->",
+        is_folder: bool = False,
+        is_simulator: bool = False,
+        is_whole: bool = False,
+        has_places: bool = False,
+        run: str = "",
+        versions: tuple[str, ...] = (),
+        beside: tuple[str, ...] = (),
+        library: str = "",
+        endings: tuple[str, ...] = (),
+        refused: tuple[str, ...] = (),
+        conversion: str = "",
+        own_codes: Collection[str] = (),
+    ) -> None:
+        self.name = name
+        self.title = title
+        self.ending = ending
+        self.comment = comment
+        self.is_folder = is_folder
+        self.is_simulator = is_simulator
+        self.is_whole = is_whole
+        self.has_places = has_places
+        self.run = run or name
+        self.versions = versions
+        self.beside = beside
+        self.library = library
+        self.endings = endings or (ending,)
+        self.refused = refused
+        self.conversion = conversion
+        self.own_codes = frozenset(own_codes)
+
+    def may_hold(self, name: str) -> bool:
+        """Return whether a file beside a document, or in the folder of this format, can be it."""
+        if self.is_folder:
+            return all(map(is_file_stem, name.split("/")))
+        return name in self.beside or name.startswith(f"{FOLDER}/")
+
+    def missing(self, span: Span) -> YamaroError:
+        """Return the error that the library it needs is not installed."""
+        return failure(
+            "missing-extra",
+            f"{self.title} needs {self.library}",
+            span,
+            hint=f"pip install 'yamaro[{self.name}]'",
+        )
+
+
+TARGETS = {
+    each.name: each
+    for each in (
+        Target(
+            "urdf",
+            "URDF",
+            ".urdf",
+            is_whole=True,
+            has_places=True,
+            own_codes=("capsule-needs-urdf-1.1", "lost-in-urdf", "needs-version"),
+        ),
+        Target(
+            "sdf",
+            "SDF",
+            ".sdf",
+            is_simulator=True,
+            is_whole=True,
+            has_places=True,
+            versions=("1.11", "1.9", "1.12"),
+        ),
+        Target(
+            "mjcf",
+            "MJCF",
+            ".xml",
+            is_simulator=True,
+            is_whole=True,
+            has_places=True,
+            beside=("scene.xml",),
+            endings=(".mjcf",),
+        ),
+        Target(
+            "srdf",
+            "SRDF",
+            ".srdf",
+            run="urdf",
+            library="pinocchio and coal, which find the links that never touch",
+        ),
+        Target(
+            "usd",
+            "USD",
+            ".usda",
+            comment="# {}",
+            is_simulator=True,
+            is_whole=True,
+            library="the library usd-core",
+            endings=(".usda", ".usd", ".usdc", ".usdz"),
+            refused=(".usdc", ".usdz"),
+            conversion="OpenUSD converts it: Usd.Stage.Open('{0}.usda').Export('{0}.usdc')",
+        ),
+    )
+}
+"""The output formats by their names."""
+
+
+def write_target(robot: Robot, wanted: Wanted) -> Output:
+    """Return a robot in a format.
+
+    Raises:
+        YamaroError: the format cannot hold it.
+    """
+    target = TARGETS[wanted.format]
+    name = f"{__package__}.{target.name}"
+    try:
+        write: Write = import_module(f"{name}.writer").write
+    except ImportError as error:
+        if error.name in (name, f"{name}.writer"):
+            raise failure(
+                "missing-extra",
+                f"this version cannot write {target.title}",
+                robot.span,
+                hint="update Yamaro",
+            ) from None
+        if not target.library:
+            raise
+        raise target.missing(robot.span) from None
+    return write(robot, wanted)
+
+
+def found_for(format: str, diagnostics: Sequence[Diagnostic]) -> list[Diagnostic]:
+    """Return copies of what was found, except for what concerns other formats alone."""
+    others = [each.own_codes for each in TARGETS.values() if each.name != format]
+    left_out = frozenset().union(*others)
+    return [each.copy() for each in diagnostics if each.code not in left_out]
+
+
+def assumed_base(robot: Robot, asked: str | None) -> list[Diagnostic]:
+    """Return a warning if nothing says whether the root is fixed; else nothing."""
+    from ..model.kinematics import base_of
+
+    base, reason = base_of(robot, asked)
+    if not reason:
+        return []
+    return [
+        Diagnostic(
+            "base-assumed",
+            f"the base is assumed to be {base}, since {reason}",
+            robot.span,
+            hint="write 'base: fixed' or 'base: free' in the main file, or pass --base",
+            severity=WARNING,
+        )
+    ]
+
+
+def file_name_for(name: str, format: str, stem: str) -> str:
+    """Return what a robot's file in a folder is called: by its name, or else as its source is."""
+    if not is_file_stem(name):
+        name = stem if is_file_stem(stem) else "robot"
+    target = TARGETS[format]
+    if name.casefold() + target.ending in target.beside:
+        name += "_robot"
+    return name + target.ending

@@ -1,0 +1,1 @@
+"""URDF, which a robot is in as it is."""

@@ -1,0 +1,52 @@
+"""URDF, which a robot is in as it is: what is added for Gazebo, and what URDF cannot hold."""
+
+from __future__ import annotations
+
+from ...diagnostics import Reporter
+from ..holding import cones, lost_fields, lost_sections
+from ..losses import Losses
+from ..output import Output
+from .gazebo import with_gazebo
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ...model.robot import Robot
+    from ..output import Wanted
+
+GAZEBO_HINT = "--gazebo also writes it for Gazebo"
+
+
+def write(robot: Robot, wanted: Wanted) -> Output:
+    """Return a robot as URDF, with meshes named as they are in the source.
+
+    Loops are not among the losses, since lowering refuses them. What the robot says to Gazebo in
+    elements of its own is written already, and so is not to be read.
+    """
+    reporter, root, losses = Reporter(), robot.element, Losses()
+    if wanted.has_gazebo:
+        losses = cones(robot)
+        root = with_gazebo(root, robot, reporter)
+    output = Output(root, losses, warnings=reporter.diagnostics)
+    if not wanted.is_named:
+        return output
+    if not wanted.has_gazebo:
+        for sensor in robot.sensors.values():
+            losses.approximate("sensors", sensor, how="their frames", hint=GAZEBO_HINT)
+        for surface in robot.surfaces:
+            losses.lose("surfaces", surface, hint=GAZEBO_HINT)
+    driven = {joint for control in robot.controls for joint in control.joints}
+    geared = {
+        joint for control in robot.controls for joint in control.joints if control.has_transmissions
+    }
+    for actuator in robot.actuators.values():
+        if actuator.joint not in driven:
+            losses.lose("actuators", actuator, hint="add a section `control`")
+            continue
+        for name, missing in lost_fields("urdf", "actuator").items():
+            if actuator.number(name) is not None:
+                if name != "gear" or actuator.joint not in geared:
+                    losses.lose(missing.what, actuator, field=name, hint=missing.hint)
+    losses += lost_sections(robot, states=True)
+    if robot.base is not None and robot.base.type == "free":
+        losses.lose("free bases", robot.base, label=f"robot '{robot.name}'")
+    return output
