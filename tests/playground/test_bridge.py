@@ -19,6 +19,8 @@ sys.path.insert(0, str(ROOT / "web" / "playground"))
 import bridge  # noqa: E402
 import pack  # noqa: E402
 
+from tests.test_links import anchors  # noqa: E402
+
 ROBOT = "robot: r\nmodel:\n- link/name=base:\n"
 
 
@@ -47,6 +49,16 @@ def test_places_are_counted_as_javascript_counts(playground: bridge.Playground) 
     units = text.encode("utf-16-le")
     assert units[2 * told["from"] : 2 * told["to"]].decode("utf-16-le") == "lenght"
     assert (told["file"], told["severity"], told["code"]) == ("r.yaml", "error", "undefined-name")
+
+
+def test_a_code_leads_to_the_heading_of_the_site_beside_the_playground(
+    playground: bridge.Playground,
+) -> None:
+    shape = "    visual:\n      geometry:\n        capsule/radius=0.1, length=1:\n"
+    (told,) = build(playground, f"{ROBOT}{shape}")["diagnostics"]
+    assert told["code"] == "capsule-needs-urdf-1.1"
+    assert told["page"] == "../diagnostics.html#capsule-needs-urdf-11"
+    assert "capsule-needs-urdf-11" in anchors(ROOT / "docs" / "diagnostics.md")
 
 
 def test_a_fix_says_what_to_write_where(playground: bridge.Playground) -> None:

@@ -169,6 +169,15 @@ def test_an_error_is_underlined_and_told_and_a_click_goes_there(page: Playground
     assert page.text(".cm-lintRange-error") == "widht"
     assert "error[undefined-name]: name 'widht' is not defined" in page.text("#problems")
     assert "pan_tilt.yaml:4:17" in page.text("#problems")
+    page.run(
+        "(([box]) => document.querySelector('.cm-lintRange-error').dispatchEvent("
+        "new MouseEvent('mousemove', {bubbles: true, clientX: box.x + 3, clientY: box.y + 3})))"
+        "(document.querySelector('.cm-lintRange-error').getClientRects())"
+    )
+    page.wait_for("document.querySelector('.cm-tooltip .cm-diagnostic a')")
+    assert page.text(".cm-tooltip .cm-diagnostic a") == "undefined-name"
+    link = page.run("document.querySelector('.cm-tooltip .cm-diagnostic a').getAttribute('href')")
+    assert link == "../diagnostics.html#undefined-name"
     page.run("playground.editor.goTo(1, 1)")
     page.press("#problems .diagnostic")
     head = "playground.editor.view.state.selection.main.head"

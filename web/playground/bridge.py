@@ -12,6 +12,7 @@ import shutil
 from collections.abc import Mapping
 
 from yamaro import Policy, YamaroError
+from yamaro.codes import anchor_of
 from yamaro.diagnostics import ERROR, Diagnostic
 from yamaro.options import Options, UsageError
 from yamaro.rebuilding import Rebuilder
@@ -182,6 +183,7 @@ class Playground:
             "to": end,
             "severity": diagnostic.severity,
             "code": diagnostic.code,
+            "page": f"../diagnostics.html#{anchor_of(diagnostic.code)}",
             "message": diagnostic.message,
             "hint": diagnostic.hint,
             "text": render(diagnostic),

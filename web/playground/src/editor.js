@@ -39,6 +39,15 @@ function languageOf(name) {
   return /\.(ya?ml)$/.test(name) ? [yaml(), expressions] : [xml()];
 }
 
+/** What is wrong, what to write, and the code, which leads to the page of the manual on it. */
+function explained(one) {
+  const code = document.createElement("a");
+  Object.assign(code, { href: one.page, target: "_blank", textContent: one.code });
+  const text = document.createElement("div");
+  text.append(one.hint ? `${one.message}\n${one.hint}\n` : `${one.message}\n`, code);
+  return text;
+}
+
 export class Editor {
   /**
    * @param {HTMLElement} parent
@@ -112,7 +121,7 @@ export class Editor {
         to: Math.min(Math.max(one.to, one.from), length),
         severity: one.severity,
         message: one.hint ? `${one.message}\n${one.hint}` : one.message,
-        source: one.code,
+        renderMessage: () => explained(one),
         actions: one.fix ? [{ name: one.fix.title, apply: () => this.told.onFix(one.fix.edits) }] : [],
       }));
     this.view.dispatch(setDiagnostics(this.view.state, shown));
