@@ -15,9 +15,9 @@ from yamaro.model.pose import (
     rotation_from_rpy,
     rpy_from_rotation,
 )
-from yamaro.robot.numbers import Numbers
 from yamaro.robot.pose import Pose, compose_poses
 from yamaro.source import Source, Span
+from yamaro.xml.values import Numbers
 
 angles = st.one_of(
     st.floats(-2 * pi, 2 * pi),

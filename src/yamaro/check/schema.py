@@ -19,9 +19,9 @@ from ..model.schema import (
     Thing,
 )
 from ..model.shapes import SHAPE_WORDS
-from ..model.values import NOT_FINITE, SPACING, NumberFault, attribute_text
+from ..model.values import NOT_FINITE, SPACING, NumberFault
 from ..xml.tree import Element, Memo
-from ..xml.values import LONGEST_ROW_REMEMBERED, remember
+from ..xml.values import LONGEST_ROW_REMEMBERED, format_value, remember
 from .context import JOINTS, SCHEMA, CheckContext, label, shown
 from .joint import check_joint
 from .link import check_inertial, check_pose, check_section
@@ -219,23 +219,23 @@ def _check_attributes(element: Element, rule: Thing, owner: Element, context: Ch
 def _check_numbers(
     name: str, rule: Field, element: Element, owner: Element, context: CheckContext
 ) -> None:
-    text = attribute_text(element, name)
-    if text is None:
+    value = element.attributes[name]
+    if value is None:
         return
-    found = context.numbers.read(text)
+    found = context.numbers.of(value)
     if isinstance(found, NumberFault):
-        _report_not_a_number(found, text, name, element, owner, context)
+        _report_not_a_number(found, format_value(value), name, element, owner, context)
         return
     if len(found) != rule.count:
-        _report_count(len(found), text, name, rule, element, owner, context)
+        _report_count(len(found), format_value(value), name, rule, element, owner, context)
         return
     if rule.sign != ANY:
         for number in found:
             if number < 0 or (rule.sign == POSITIVE and number == 0):
                 _report_sign(number, name, rule, element, owner, context)
                 return
-    if len(text) <= LONGEST_ROW_REMEMBERED:
-        remember(context.sound_values.setdefault(rule, {}), text, True)
+    if type(value) is str and len(value) <= LONGEST_ROW_REMEMBERED:
+        remember(context.sound_values.setdefault(rule, {}), value, True)
 
 
 def _report_not_a_number(

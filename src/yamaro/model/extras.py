@@ -13,7 +13,7 @@ from ..diagnostics import INHERITED
 from ..source import Public
 from .pose import IDENTITY, Pose, rotation_from_rpy
 from .schema import ACTUATOR, COLLISIONS, SENSORS, SURFACE, TEXT, WHOLE
-from .values import ByName, Written, attribute_text, number_in, read_numbers
+from .values import ByName, Written, attribute_text, number_in, numbers_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -188,24 +188,19 @@ def _pose(element: Element) -> Pose:
     """Return the pose that a note of a file has."""
     if "xyz" not in element.attributes:
         return IDENTITY
-    (x, y, z), (roll, pitch, yaw) = _row(element, "xyz"), _row(element, "rpy")
+    (x, y, z), (roll, pitch, yaw) = numbers_of(element, "xyz"), numbers_of(element, "rpy")
     return Pose(rotation_from_rpy(roll, pitch, yaw), (x, y, z))
 
 
-def _row(element: Element, attribute: str) -> tuple[float, ...]:
-    found = read_numbers(attribute_text(element, attribute) or "")
-    return found if isinstance(found, tuple) else ()
-
-
 def _pair(element: Element, attribute: str, default: tuple[float, float]) -> tuple[float, float]:
-    row = _row(element, attribute)
+    row = numbers_of(element, attribute)
     return (row[0], row[1]) if len(row) == 2 else default
 
 
 def _take_details(details: Lidar | Camera | Ranger, element: Element, kind: str) -> None:
     """Take the values of a type of sensor from an element: whole numbers where it counts."""
     for name, field in SENSORS[kind].fields.items():
-        row = _row(element, name)
+        row = numbers_of(element, name)
         if len(row) != field.count:
             assert not isinstance(field.default, (str, type(None))), "all that it sees has defaults"
             row = field.default if isinstance(field.default, tuple) else (field.default,)
@@ -410,10 +405,8 @@ class Loop(Noted):
         self.name = self._text("name")
         self.type = self._text("type")
         self.between = (self._text("frame_1"), self._text("frame_2"))
-        row = read_numbers(self._text("axis"))
-        self.axis: Vector | None = None
-        if isinstance(row, tuple) and len(row) == 3:
-            self.axis = (row[0], row[1], row[2])
+        row = numbers_of(element, "axis")
+        self.axis: Vector | None = (row[0], row[1], row[2]) if len(row) == 3 else None
 
 
 class Control(Noted):

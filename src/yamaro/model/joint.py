@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from math import pi
 
-from .schema import ELEMENTS
-from .values import ReadLater, Written
+from .schema import ELEMENTS, TEXT
+from .values import ReadLater, Written, attribute_text
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from ..diagnostics import Frame as Step
+    from ..xml.tree import Element
     from .pose import Pose, Vector
 
 REVOLUTE, CONTINUOUS, PRISMATIC, FIXED = "revolute", "continuous", "prismatic", "fixed"
@@ -26,7 +29,22 @@ DEGREES_OF_FREEDOM = {REVOLUTE: 1, CONTINUOUS: 1, PRISMATIC: 1, PLANAR: 3, FLOAT
 """Degrees of freedom by joint type, as pinocchio counts them (nv of its joint models)."""
 
 
-class Limit(Written):
+class Record(Written):
+    """What an element in a joint says: a slot for each of its fields in the schema."""
+
+    __slots__ = ()
+
+    def __init__(self, element: Element, number: Callable[[Element, str], float | None]) -> None:
+        """Take the values of an element; `number` reads one, or returns None."""
+        self.element = element
+        for name, field in ELEMENTS[element.name].fields.items():
+            found: object = number(element, name) if field.count != TEXT else None
+            if field.count == TEXT:
+                found = attribute_text(element, name) or ""
+            setattr(self, name, field.default if found is None else found)
+
+
+class Limit(Record):
     """How far, how strongly and how fast a joint moves; None for what is not said.
 
     Attributes:
@@ -48,7 +66,7 @@ class Limit(Written):
     jerk: float | None
 
 
-class Mimic(Written):
+class Mimic(Record):
     """How a joint follows another: its position is multiplier·position + offset.
 
     Attributes:
@@ -64,7 +82,7 @@ class Mimic(Written):
     offset: float
 
 
-class Dynamics(Written):
+class Dynamics(Record):
     """Damping (N·m·s/rad or N·s/m) and friction (N·m or N) of a joint; 0 by default."""
 
     __slots__ = tuple(ELEMENTS["dynamics"].fields)
@@ -73,7 +91,7 @@ class Dynamics(Written):
     friction: float
 
 
-class SafetyController(Written):
+class SafetyController(Record):
     """The limits that a controller keeps to; see http://wiki.ros.org/pr2_controller_manager."""
 
     __slots__ = tuple(ELEMENTS["safety_controller"].fields)
@@ -84,7 +102,7 @@ class SafetyController(Written):
     k_velocity: float
 
 
-class Calibration(Written):
+class Calibration(Record):
     """The positions, in radians or metres, that a joint is calibrated at, or None.
 
     Attributes:
@@ -130,6 +148,25 @@ class Joint(ReadLater):
     safety_controller: SafetyController | None
     calibration: Calibration | None
     trace: Step | None
+
+    def __init__(
+        self,
+        element: Element,
+        *,
+        name: str,
+        parent: str,
+        child: str,
+        mimic: Mimic | None,
+        trace: Step | None,
+        read_rest: Callable[[Joint], None],
+    ) -> None:
+        self.element = element
+        self.name = name
+        self.parent = parent
+        self.child = child
+        self.mimic = mimic
+        self.trace = trace
+        self.read_rest = read_rest
 
     @property
     def is_fixed(self) -> bool:

@@ -6,6 +6,8 @@ from .values import ReadLater, Written
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from ..diagnostics import Frame as Step
     from ..xml.tree import Element
     from .pose import Pose, Rotation
@@ -128,6 +130,19 @@ class Link(ReadLater):
     visuals: tuple[Visual, ...]
     collisions: tuple[Collision, ...]
     trace: Step | None
+
+    def __init__(
+        self,
+        element: Element,
+        *,
+        name: str,
+        trace: Step | None,
+        read_rest: Callable[[Link], None],
+    ) -> None:
+        self.element = element
+        self.name = name
+        self.trace = trace
+        self.read_rest = read_rest
 
     @property
     def mass(self) -> float:

@@ -10,6 +10,7 @@ from math import inf, isfinite
 
 from ..diagnostics import INHERITED, WARNING, Diagnostic, failure
 from ..xml.tree import Element
+from ..xml.values import format_value
 from .joint import Calibration, Dynamics, Joint, Limit, Mimic, SafetyController
 from .link import Collision, Inertial, Link, Material, Visual
 from .pose import (
@@ -23,7 +24,7 @@ from .pose import (
     unit_vector,
 )
 from .robot import Robot
-from .schema import ELEMENTS, JOINT_TYPES, MOMENTS, TEXT, joint_type_hint
+from .schema import JOINT_TYPES, MOMENTS, joint_type_hint
 from .shapes import COUNTS, SHAPE_WORDS, SIMPLE_SHAPES, SIZES, UNSCALED, Mesh
 from .values import NumberFault, NumberReader, attribute_text, child_named
 
@@ -166,12 +167,9 @@ class _Reader:
     # --- links ---
 
     def _link(self, element: Element) -> Link:
-        link = Link()
-        link.element = element
-        link.trace = self._trace
-        link.name = self._name(element)
-        link.read_rest = self._link_reader
-        return link
+        return Link(
+            element, name=self._name(element), trace=self._trace, read_rest=self._link_reader
+        )
 
     def _read_link(self, link: Link) -> None:
         children = link.element.children
@@ -286,11 +284,6 @@ class _Reader:
     # --- joints ---
 
     def _joint(self, element: Element) -> Joint:
-        joint = Joint()
-        joint.element = element
-        joint.trace = self._trace
-        joint.name = self._name(element)
-        joint.read_rest = self._joint_reader
         parent: Element | None = None
         child: Element | None = None
         mimic: Element | None = None
@@ -303,12 +296,15 @@ class _Reader:
                     child = child or inner
                 elif name == "mimic":
                     mimic = mimic or inner
-        joint.parent = attribute_text(parent, "link") or ""
-        joint.child = attribute_text(child, "link") or ""
-        joint.mimic = None
-        if mimic is not None:
-            joint.mimic = self._part(Mimic, mimic)
-        return joint
+        return Joint(
+            element,
+            name=self._name(element),
+            parent=attribute_text(parent, "link") or "",
+            child=attribute_text(child, "link") or "",
+            mimic=self._part(Mimic, mimic) if mimic is not None else None,
+            trace=self._trace,
+            read_rest=self._joint_reader,
+        )
 
     def _read_joint(self, joint: Joint) -> None:
         first: dict[str, Element] = {}
@@ -353,17 +349,7 @@ class _Reader:
         known: Part | None = self._parts.get(id(element))
         if known is not None:
             return known
-        part = self._parts[id(element)] = kind()
-        part.element = element
-        for name, field in ELEMENTS[element.name].fields.items():
-            value: object = field.default
-            if field.count == TEXT:
-                value = attribute_text(element, name) or ""
-            else:
-                number = self._number(element, name)
-                if number is not None:
-                    value = number
-            setattr(part, name, value)
+        part = self._parts[id(element)] = kind(element, self._number)
         return part
 
     # --- values ---
@@ -389,25 +375,13 @@ class _Reader:
 
     def _numbers(self, element: Element | None, attribute: str, count: int) -> Numbers | None:
         """Return the numbers in an attribute, or None if it is left out or cannot be read."""
-        if element is None:
+        value = element.attributes.get(attribute) if element is not None else None
+        if element is None or value is None:
             return None
-        text = attribute_text(element, attribute)
-        if text is None:
-            return None
-        found = self._number_reader.read(text)
+        found = self._number_reader.of(value)
         if type(found) is tuple and len(found) == count:
             return found
-        return self._faulty(found, text, element, attribute, count)
-
-    def _faulty(
-        self,
-        found: Numbers | NumberFault,
-        text: str,
-        element: Element,
-        attribute: str,
-        count: int,
-    ) -> Numbers | None:
-        """Note a fault in an attribute, and return what can be made of it."""
+        text = format_value(value)
         wanted = COUNT_WORDS[count]
         message = f"'{attribute}' of '{element.name}' takes {wanted}, not '{text}'"
         if isinstance(found, NumberFault):

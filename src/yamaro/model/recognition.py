@@ -11,6 +11,7 @@ from math import radians
 
 from ..diagnostics import INHERITED
 from ..xml.tree import Element, Text
+from ..xml.values import Numbers
 from .extras import CAMERAS, FORCE_TORQUE, LIDAR, RANGE
 from .joint import FIXED
 from .pose import IDENTITY, Pose, rotation_from_quaternion, rotation_from_rpy
@@ -65,11 +66,11 @@ class Note:
         self.places: dict[str, Span] = {}
         self.element = Element(kind, origin.span, dict(given), trace=trace, value_spans=self.places)
 
-    def put(self, attribute: str, text: str | None, origin: Element | None) -> bool:
-        """Note a text that is not empty, and where it is written; return whether it was noted."""
-        if not text:
+    def put(self, attribute: str, value: str | Numbers | None, origin: Element | None) -> bool:
+        """Note numbers or a text that is not empty, and where; return whether it was noted."""
+        if not value:
             return False
-        self.element.attributes[attribute] = text
+        self.element.attributes[attribute] = value
         if origin is not None:
             self.places[attribute] = content_span(origin)
         return True
@@ -78,7 +79,9 @@ class Note:
         """Note the number in an element, unless it is negative; return whether it was noted."""
         text = content(origin)
         row = numbers_in(text)
-        return len(row) == 1 and row[0] >= 0 and self.put(attribute, text, origin)
+        if text is None or len(row) != 1 or row[0] < 0:
+            return False
+        return self.put(attribute, Numbers((text,), row, row), origin)
 
     def put_child(self, kind: str, origin: Element, attribute: str, value: str) -> None:
         """Add a note with one attribute."""
@@ -468,8 +471,8 @@ class GazeboSensors:
         given["link"] = own.link if own is not None else link
         given["frame"] = frame or link
         if pose != IDENTITY:
-            given["xyz"] = " ".join(map(repr, pose.position))
-            given["rpy"] = " ".join(map(repr, pose.rpy))
+            given["xyz"] = Numbers.exactly(*pose.position)
+            given["rpy"] = Numbers.exactly(*pose.rpy)
         self._taken.setdefault(str(given["name"]), link)
         self.notes.append(note.element)
 
@@ -660,7 +663,7 @@ def _read_rays(note: Note, element: Element, plugins: list[Element]) -> None:
     distance = rays if sonar is None else sonar
     path = ("range",) if sonar is None else ()
     ends = [number_at(distance, (*path, end), 0.0) for end in ("min", "max")]
-    note.put("range", " ".join(map(repr, ends)), inside(distance, *path))
+    note.put("range", Numbers.exactly(*ends), inside(distance, *path))
     rows = [_scan(rays, direction, count) for direction, count in _DIRECTIONS]
     (count, across), (height, up) = rows
     cones = [plugin for plugin in plugins if _plugin_name(plugin) == RANGE_PLUGIN]
@@ -668,11 +671,11 @@ def _read_rays(note: Note, element: Element, plugins: list[Element]) -> None:
         given["type"] = RANGE
         if cones:
             fov = number_at(cones[0], ("fov",), across[1] - across[0])
-            given["fov"] = repr(max(fov, 0.0))
+            given["fov"] = Numbers.exactly(max(fov, 0.0))
         return
     given |= {"rays": str(count), "rows": str(height)}
     for attribute, pair in (("ends", across), ("tilt_ends", up)):
-        given[attribute] = " ".join(map(repr, pair))
+        given[attribute] = Numbers.exactly(*pair)
 
 
 _DIRECTIONS = (("horizontal", 640), ("vertical", 1))
@@ -698,4 +701,4 @@ def _read_camera(note: Note, element: Element, kind: str) -> None:
     own = inside(element, "depth_camera", "clip") if kind == "depth_camera" else None
     clip = own or child_named(element, "clip")
     ends = [number_at(clip, (end,), n) for end, n in (("near", 0.1), ("far", 100.0))]
-    note.put("clip", " ".join(map(repr, ends)), clip)
+    note.put("clip", Numbers.exactly(*ends), clip)

@@ -7,7 +7,7 @@ from math import inf, isfinite, nan
 from ..diagnostics import INHERITED
 from ..source import Public
 from ..xml.tree import Element, Text
-from ..xml.values import LONGEST_ROW_REMEMBERED, format_value, remember
+from ..xml.values import LONGEST_ROW_REMEMBERED, Numbers, format_value, remember
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -96,7 +96,7 @@ def attribute_text(element: Element | None, attribute: str) -> str | None:
     value = element.attributes.get(attribute)
     if value is None or type(value) is str:
         return value
-    return format_value(value)
+    return value.text if type(value) is Numbers else format_value(value)
 
 
 def values_of(element: Element) -> dict[str, str]:
@@ -106,11 +106,22 @@ def values_of(element: Element) -> dict[str, str]:
     }
 
 
+def numbers_of(element: Element | None, attribute: str) -> tuple[float, ...]:
+    """Return the numbers of an attribute; none if it is left out or is not a row of numbers.
+
+    Those that were computed are known, with no need to read what they are written as.
+    """
+    value = element.attributes.get(attribute) if element is not None else None
+    if type(value) is Numbers:
+        return value.written
+    found = read_numbers(format_value(value)) if value is not None else ()
+    return found if isinstance(found, tuple) else ()
+
+
 def number_in(element: Element | None, attribute: str) -> float | None:
     """Return the number in an attribute, or None if it is left out or is not one number."""
-    text = attribute_text(element, attribute)
-    found = read_numbers(text) if text is not None else ()
-    return found[0] if isinstance(found, tuple) and len(found) == 1 else None
+    found = numbers_of(element, attribute)
+    return found[0] if len(found) == 1 else None
 
 
 class NumberReader:
@@ -138,10 +149,16 @@ class NumberReader:
                 remember(self._known, text, found)
         return found
 
+    def of(self, value: object) -> tuple[float, ...] | NumberFault:
+        """Return the numbers that an attribute's value is or says, or what is wrong with it."""
+        if type(value) is Numbers and self._largest == inf:
+            return value.written
+        return self.read(value if type(value) is str else format_value(value))
+
     def row(self, element: Element | None, attribute: str, count: int) -> tuple[float, ...]:
         """Return an attribute's numbers, or () if they are left out, faulty or not `count`."""
-        text = attribute_text(element, attribute)
-        found = self.read(text) if text is not None else ()
+        value = element.attributes.get(attribute) if element is not None else None
+        found = self.of(value) if value is not None else ()
         return found if isinstance(found, tuple) and len(found) == count else ()
 
     def number(self, element: Element | None, attribute: str) -> float | None:

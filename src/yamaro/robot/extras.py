@@ -17,10 +17,10 @@ from ..model.schema import (
 )
 from ..model.schema import SENSOR as ANY_SENSOR
 from ..xml.tree import Element
-from ..xml.values import format_value
+from ..xml.values import Numbers, format_value
 from .fields import FRAME, POSE_ROWS, SENSOR, empty_value, read_value, sort_fields, word_of
 from .notes import RobotNote, check_keys, chosen, given_once, names_in, refuse_attributes
-from .numbers import Numbers, read_numbers
+from .numbers import read_numbers
 from .pose import ZERO_ROW, Pose, origin_element, read_pose
 
 TYPE_CHECKING = False
@@ -88,8 +88,7 @@ def lower_joint_sensor(lowering: Lowering, word: Element, joint: str, out: list[
 def _optical_frame(lowering: Lowering, word: Element, name: str, frame: str) -> list[Node]:
     turned = Element("frame", word.span, {"name": f"{name}{OPTICAL}"}, trace=word.trace)
     turned.value_spans = {"name": word.value_span("name")}
-    words = tuple(OPTICAL_RPY.split())
-    pose = Pose(ZERO_ROW, Numbers(words, tuple(map(float, words))), None, {})
+    pose = Pose(ZERO_ROW, Numbers.spelled(tuple(OPTICAL_RPY.split())), None, {})
     return frame_elements(lowering, turned, f"{name}{OPTICAL}", frame, pose)
 
 
@@ -192,8 +191,8 @@ def _refuse_pose(keys: dict[str, Element], reason: str) -> None:
 
 def _value(
     lowering: Lowering, field: Field, key: Element, *, noun: str = "a number"
-) -> tuple[str, Span]:
-    """Return the value of a field as text, and where it is written.
+) -> tuple[str | Numbers, Span]:
+    """Return the value of a field, and where it is written.
 
     Raises:
         YamaroError: it is faulty, or a number that makes no sense there.
@@ -224,7 +223,7 @@ def _value(
                 hint=f"write {name}: {field.example}",
                 trace=key.trace,
             )
-    return numbers.text, span
+    return numbers, span
 
 
 # --- `actuator` -------------------------------------------------------------------------------

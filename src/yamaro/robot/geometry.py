@@ -7,9 +7,9 @@ from math import isfinite
 from ..diagnostics import failure, suggest
 from ..model.shapes import COUNTS, SIMPLE_SHAPES, SIZES, MeshSolid
 from ..xml.tree import Element, Text
-from ..xml.values import format_value
+from ..xml.values import Numbers, format_value
 from .fields import SIZE_KEYS, read_record, read_value, word_of
-from .numbers import Numbers, read_numbers
+from .numbers import read_numbers
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -167,6 +167,7 @@ def _read_sizes(
     _check_sizes(kind, given)
     words: list[str] = []
     values: list[float] = []
+    written: list[float] = []
     for name in SIZES[kind]:
         size = given[name]
         value, spans[name] = read_value(size)
@@ -180,7 +181,8 @@ def _read_sizes(
         )
         words += numbers.words
         values += numbers.values
-    return Numbers(tuple(words), tuple(values))
+        written += numbers.written
+    return Numbers(tuple(words), tuple(values), tuple(written))
 
 
 def _check_sizes(kind: str, given: dict[str, Element]) -> None:
@@ -297,12 +299,12 @@ def _element(geometry: Geometry) -> Element:
         attributes = {"filename": geometry.word}
         spans = {"filename": geometry.span, **geometry.spans}
         if scale is not None:
-            attributes["scale"] = scale.text
+            attributes["scale"] = scale
     else:
         assert scale is not None
         names, spans = SIZES[geometry.kind], geometry.spans
-        words = scale.words if len(names) > 1 else (scale.text,)
-        attributes = dict(zip(names, words, strict=True))
+        sizes = scale.one_by_one() if len(names) > 1 else [scale]
+        attributes = dict(zip(names, sizes, strict=True))
     shape = Element(geometry.kind, key.span, attributes, [], key.trace, spans)
     return Element("geometry", key.span, {}, [shape], key.trace)
 

@@ -7,10 +7,10 @@ from math import isfinite
 from ..diagnostics import YamaroError, failure
 from ..model.schema import MOMENTS
 from ..xml.tree import Element
-from ..xml.values import format_number, remember
+from ..xml.values import Numbers, remember
 from .fields import Fields, read_record, refuse_misspelt
 from .geometry import section_geometry, solid_shape
-from .numbers import Numbers, read_attribute, read_numbers
+from .numbers import read_attribute, read_numbers
 from .pose import Pose, compose_poses, origin_element, pose_at, read_pose
 
 TYPE_CHECKING = False
@@ -20,6 +20,9 @@ if TYPE_CHECKING:
     from ..xml.tree import Node
     from .geometry import Geometry, LinkGeometry
     from .lowering import Lowering
+
+
+ZERO = Numbers.spelled(("0",))
 
 
 class LinkMass:
@@ -138,13 +141,13 @@ def _mass(
         )
     if own_mass is not None:
         number, span = _number(lowering, own_mass)
-        return _mass_element(own_mass, number.text, span), number.values[0]
+        return _mass_element(own_mass, number, span), number.values[0]
     if own_density is not None:
         number, span = _number(lowering, own_density)
         mass = number.values[0] * body.shape("the mass is computed from it").volume()
         if not isfinite(mass):
             raise _too_large(own_density)
-        return _mass_element(own_density, format_number(mass), span), mass
+        return _mass_element(own_density, Numbers.of(mass), span), mass
     raise failure(
         "missing-mass",
         "this inertial has no mass",
@@ -174,8 +177,8 @@ def _one(lowering: Lowering, key: Element, value: object, span: Span) -> Numbers
     return read_numbers(lowering, value, span, count=1, name=key.name, trace=key.trace)
 
 
-def _mass_element(key: Element, text: str, span: Span) -> Element:
-    return Element("mass", key.span, {"value": text}, [], key.trace, {"value": span})
+def _mass_element(key: Element, mass: Numbers, span: Span) -> Element:
+    return Element("mass", key.span, {"value": mass}, [], key.trace, {"value": span})
 
 
 # --- inertia ----------------------------------------------------------------------------------
@@ -188,11 +191,11 @@ def _given_inertia(lowering: Lowering, key: Element) -> Element:
     if value is not None:
         span = record.span("row")
         numbers = read_numbers(lowering, value, span, count=6, name="inertia", trace=key.trace)
-        words: dict[str, object] = dict(zip(MOMENTS, numbers.words, strict=True))
+        moments: dict[str, object] = dict(zip(MOMENTS, numbers.one_by_one(), strict=True))
         return Element(
             "inertia",
             key.span,
-            attributes={**words, **record.values},
+            attributes={**moments, **record.values},
             value_spans=dict.fromkeys(MOMENTS, span),
             trace=key.trace,
         )
@@ -209,19 +212,18 @@ def _given_inertia(lowering: Lowering, key: Element) -> Element:
             trace=key.trace,
         )
     for name in MOMENTS:
-        number = read_attribute(lowering, record, name, count=1, name=name)
-        record.values[name] = number.text
+        record.values[name] = read_attribute(lowering, record, name, count=1, name=name)
     return record.element()
 
 
 def _computed_inertia(lowering: Lowering, owner: Element, moments: Inertia) -> Element:
     if not all(map(isfinite, moments)):
         raise _too_large(owner)
-    words = lowering.inertias.get(moments)
-    if words is None:
-        words = tuple([format_number(value) if value else "0" for value in moments])
-        remember(lowering.inertias, moments, words)
-    return Element("inertia", owner.span, dict(zip(MOMENTS, words, strict=True)), [], owner.trace)
+    written = lowering.inertias.get(moments)
+    if written is None:
+        written = tuple([Numbers.of(value) if value else ZERO for value in moments])
+        remember(lowering.inertias, moments, written)
+    return Element("inertia", owner.span, dict(zip(MOMENTS, written, strict=True)), [], owner.trace)
 
 
 def _too_large(key: Element) -> YamaroError:

@@ -14,7 +14,7 @@ from ..model.schema import (
     joint_type_meant,
 )
 from ..xml.tree import Element
-from ..xml.values import format_number, format_value
+from ..xml.values import Numbers, format_value
 from .fields import (
     JOINT,
     read_record,
@@ -34,10 +34,11 @@ if TYPE_CHECKING:
     from .fields import Fields
     from .lowering import Lowering
 
-PI = format_number(pi)
-ASSUMED_RANGES = {"revolute": (f"-{PI}", PI), "prismatic": ("-1", "1")}
-ASSUMED_EFFORT = "100"
-ASSUMED_VELOCITY = "10"
+ASSUMED_RANGES = {
+    "revolute": Numbers.of(-pi, pi).one_by_one(),
+    "prismatic": Numbers.spelled(("-1", "1")).one_by_one(),
+}
+ASSUMED_EFFORT, ASSUMED_VELOCITY = Numbers.spelled(("100", "10")).one_by_one()
 
 
 class JointType:
@@ -217,10 +218,9 @@ def _lower_record(lowering: Lowering, key: Element) -> Element:
         field = thing.fields.get(attribute)
         label = thing.name if attribute == thing.scalar else attribute
         if field is not None and field.count != TEXT:
-            row = read_attribute(
+            record.values[attribute] = read_attribute(
                 lowering, record, attribute, count=field.count, name=label, kind=field.kind
             )
-            record.values[attribute] = row.text
         else:
             span = record.span(attribute)
             record.values[attribute] = word_of(label, value, span, owner=key)

@@ -16,12 +16,12 @@ if TYPE_CHECKING:
     from ..model.shapes import Inertia
     from ..source import Source, Span
     from ..xml.forms import Form
+    from ..xml.values import Numbers
     from .control import PendingControl
     from .formed import Pattern
     from .mirror import Mirror
     from .naming import Naming
     from .notes import RobotNote
-    from .numbers import Numbers
 
     Outside = tuple[
         list[Element],
@@ -47,7 +47,7 @@ class Lowering:
         namings: what the joints and links of parts are called in a file, where it says so.
         numbers: the numbers in the texts read so far.
         quantities: the rows of numbers with units read so far, by the text and what fits there.
-        inertias: the words of the moments of inertia computed so far.
+        inertias: the moments of inertia computed so far, as they are written.
         patterns: how to lower the parts of a form, or None where that has no pattern.
         parents: the joints whose first child is a `<parent>` made here, of which the link may yet
             be the name of a part.
@@ -115,7 +115,7 @@ class Lowering:
         self.namings: dict[Source, Naming] = {}
         self.numbers: dict[str, Numbers] = {}
         self.quantities: dict[tuple[str, object], Numbers] = {}
-        self.inertias: dict[Inertia, tuple[str, ...]] = {}
+        self.inertias: dict[Inertia, tuple[Numbers, ...]] = {}
         self.moments: dict[str, SolidMoments] = {}
         self.near_keys: dict[tuple[str, str], str | None] = {}
         self.patterns: dict[Form, Pattern | None] = {}

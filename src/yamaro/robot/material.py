@@ -6,7 +6,7 @@ import os
 
 from ..diagnostics import failure, suggest
 from ..xml.tree import Comment, Element, IncludedRobot, Text
-from ..xml.values import format_value
+from ..xml.values import Numbers, format_value
 from .fields import (
     Record,
     check_once,
@@ -138,9 +138,9 @@ def lower_color_material(lowering: Lowering, key: Element) -> Element:
         YamaroError: the colour is faulty.
     """
     color = _lower_color(lowering, key)
-    text = color.attributes["rgba"]
-    assert isinstance(text, str)
-    rgba = tuple(map(float, text.split()))
+    written = color.attributes["rgba"]
+    assert type(written) is Numbers
+    rgba = written.written
     name = lowering.colors.get(rgba)
     if name is None:
         stem = name = f"{lowering.link_name}_color"
@@ -157,8 +157,7 @@ def _lower_color(lowering: Lowering, key: Element) -> Element:
     record = read_record(lowering, key, "rgba")
     refuse_misspelt(record, ("rgba",))
     _require(record, "rgba", "four numbers: color: 0.8 0.1 0.1 1")
-    rgba = read_attribute(lowering, record, "rgba", count=4, name="rgba")
-    record.values["rgba"] = rgba.text
+    record.values["rgba"] = read_attribute(lowering, record, "rgba", count=4, name="rgba")
     return record.element()
 
 

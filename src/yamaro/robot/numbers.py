@@ -11,6 +11,7 @@ from ..source import Span
 from ..xml.values import (
     LONGEST_ROW_REMEMBERED,
     LiteralList,
+    Numbers,
     format_number,
     format_value,
     is_number,
@@ -32,28 +33,6 @@ DECIMALS = 13
 
 MAX_SHOWN = 40
 """Characters of a value shown in a message."""
-
-
-class Numbers:
-    """A row of numbers: values, and the words they are written as in XML; it never changes.
-
-    Attributes:
-        words: the number's words.
-        values: as many numbers.
-        text: the row as it is written in XML.
-    """
-
-    __slots__ = ("text", "values", "words")
-
-    def __init__(self, words: tuple[str, ...], values: tuple[float, ...]) -> None:
-        """Hold as many words as values."""
-        self.words = words
-        self.values = values
-        self.text = " ".join(words)
-
-    def is_zero(self) -> bool:
-        """Return whether all the numbers are exactly 0."""
-        return not any(self.values)
 
 
 def format_component(value: float) -> str:
@@ -152,12 +131,12 @@ def _read(text: str) -> Numbers | None:
         except ValueError:
             pass
         else:
-            return Numbers(tuple(words), values) if all(map(isfinite, values)) else None
+            return Numbers(tuple(words), values, values) if all(map(isfinite, values)) else None
     read = [value for word in words if (value := parse_number(word)) is not None]
     if len(read) < len(words) or not all(map(isfinite, read)):
         return None
     spelled = [str(int(word, 0)) if word[1:2] in ("x", "o") else word for word in words]
-    return Numbers(tuple(spelled), tuple(read))
+    return Numbers(tuple(spelled), tuple(read), tuple(read))
 
 
 def _axis(text: str) -> Numbers | None:
@@ -166,7 +145,7 @@ def _axis(text: str) -> Numbers | None:
     if name not in ("x", "y", "z"):
         return None
     words = tuple(f"{sign}1" if axis == name else "0" for axis in "xyz")
-    return Numbers(words, tuple(map(float, words)))
+    return Numbers.spelled(words)
 
 
 def split_row(text: str) -> list[str]:

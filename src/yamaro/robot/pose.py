@@ -12,8 +12,9 @@ from ..diagnostics import failure
 from ..model.pose import ZERO, multiply, rotate, rotation_from_rpy, rpy_from_rotation
 from ..source import joined
 from ..xml.tree import Element, Text
+from ..xml.values import Numbers
 from .fields import POSE_ROWS, empty_value, read_record, read_value, refuse_misspelt
-from .numbers import NEGLIGIBLE, Numbers, format_component, read_numbers
+from .numbers import NEGLIGIBLE, format_component, read_numbers
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
 
     Words = tuple[str, ...]
 
-ZERO_ROW = Numbers(("0", "0", "0"), ZERO)
+ZERO_ROW = Numbers(("0", "0", "0"), ZERO, ZERO)
 
 
 class Pose:
@@ -289,5 +290,5 @@ def origin_element(pose: Pose, owner: Element) -> Element | None:
             hint="positions are in metres",
             trace=owner.trace,
         )
-    attributes: dict[str, object] = {"xyz": pose.xyz.text, "rpy": pose.rpy.text}
+    attributes: dict[str, object] = {"xyz": pose.xyz, "rpy": pose.rpy}
     return Element("origin", pose.span or owner.span, attributes, [], owner.trace, pose.spans)

@@ -27,8 +27,8 @@ from ..units import (
     si_of,
     units_of,
 )
-from ..xml.values import LONGEST_ROW_REMEMBERED, format_value, remember
-from .numbers import Numbers, bad_word, label_of, parse_number, place_of_word, split_row
+from ..xml.values import LONGEST_ROW_REMEMBERED, Numbers, format_value, remember
+from .numbers import bad_word, label_of, parse_number, place_of_word, split_row
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

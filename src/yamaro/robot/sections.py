@@ -14,6 +14,8 @@ from .numbers import read_numbers
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from ..xml.tree import Node, RobotWord
     from .lowering import Lowering
 
@@ -56,7 +58,7 @@ def _states(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
             except YamaroError as error:
                 lowering.absorb(error)
                 continue
-            joint = _note(lowering, "joint", key, {"joint": key.name, "value": numbers.text})
+            joint = _note(lowering, "joint", key, {"joint": key.name, "value": numbers})
             if isinstance(value, str) and value.strip() != numbers.text:  # it may have a unit
                 joint.attributes["written"] = value
             joint.value_spans = {"joint": key.span, "value": span}
@@ -132,7 +134,7 @@ def _collisions(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
                 hint=f"write {key.name}: {COLLISIONS.fields[key.name].example}",
                 trace=word.trace,
             )
-        note.attributes[key.name] = numbers.text
+        note.attributes[key.name] = numbers
     out.append(note)
 
 
@@ -184,7 +186,7 @@ def _loop(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
     if axis is not None:
         value, span = read_value(axis)
         row = read_numbers(lowering, value, span, count=3, name="axis", trace=word.trace)
-        note.attributes["axis"] = row.text
+        note.attributes["axis"] = row
     elif kind == "revolute":
         note.attributes["axis"] = "1 0 0"
     lowering.references += [(note, "frame_1"), (note, "frame_2")]
@@ -198,7 +200,9 @@ def _base(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
 # --- reading ----------------------------------------------------------------------------------
 
 
-def _note(lowering: Lowering, kind: str, key: Element, attributes: dict[str, str]) -> RobotNote:
+def _note(
+    lowering: Lowering, kind: str, key: Element, attributes: Mapping[str, object]
+) -> RobotNote:
     return RobotNote(kind, key.span, dict(attributes), trace=lowering.trace)
 
 

@@ -27,6 +27,83 @@ class LiteralList(list[object]):
     __slots__ = ()
 
 
+class Numbers:
+    """A row of numbers as an attribute has it: computed, and as it is written.
+
+    It is equal to its text, and never changes: who changes an attribute gives it another value, so
+    that numbers and text cannot part.
+
+    Attributes:
+        words: the words that the numbers are written as.
+        values: the numbers, as exact as they were computed.
+        text: the row as it is written.
+        written: the numbers as who reads the text gets them.
+    """
+
+    __slots__ = ("text", "values", "words", "written")
+
+    written: tuple[float, ...]
+
+    def __init__(
+        self,
+        words: tuple[str, ...],
+        values: tuple[float, ...],
+        written: tuple[float, ...] | None = None,
+    ) -> None:
+        """Hold as many words as values; `written` are those of the words, if they are known."""
+        self.words = words
+        self.values = values
+        self.text = " ".join(words)
+        if written is not None:
+            self.written = written
+
+    @classmethod
+    def spelled(cls, words: tuple[str, ...]) -> Numbers:
+        """Return the numbers of words, each of which is a finite number."""
+        values = tuple(map(float, words))
+        return cls(words, values, values)
+
+    @classmethod
+    def exactly(cls, *values: float) -> Numbers:
+        """Return numbers with all their digits."""
+        return cls(tuple(map(repr, values)), values, values)
+
+    @classmethod
+    def of(cls, *values: float) -> Numbers:
+        """Return computed numbers, which are written with 15 digits."""
+        return cls(tuple(map(format_number, values)), values)
+
+    if not TYPE_CHECKING:  # a type checker would accept any name
+
+        def __getattr__(self, name: str) -> object:
+            """Read the words when their numbers are first asked for."""
+            if name != "written":
+                raise AttributeError(name)
+            self.written = tuple(map(float, self.words))
+            return self.written
+
+    def one_by_one(self) -> list[Numbers]:
+        """Return each of the numbers as a row of its own."""
+        rows = zip(self.words, self.values, self.written, strict=True)
+        return [Numbers((word,), (value,), (written,)) for word, value, written in rows]
+
+    def is_zero(self) -> bool:
+        """Return whether all the numbers are exactly 0."""
+        return not any(self.values)
+
+    def __eq__(self, other: object) -> bool:
+        return self.text == (other.text if type(other) is Numbers else other)
+
+    def __hash__(self) -> int:
+        return hash(self.text)
+
+    def __str__(self) -> str:
+        return self.text
+
+    def __repr__(self) -> str:
+        return f"<Numbers '{self.text}'>"
+
+
 def remember(known: dict[Key, Value], key: Key, value: Value) -> None:
     """Keep what has been worked out for when it comes again, in bounded memory."""
     if len(known) >= MOST_REMEMBERED:
@@ -65,6 +142,8 @@ def format_value(value: Any) -> str:
 
 
 def _format_other(value: Any) -> str:
+    if type(value) is Numbers:
+        return value.text
     plain = plain_value(value)
     if type(plain) in (str, float, bool, int):
         return format_value(plain)

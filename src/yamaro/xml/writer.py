@@ -6,7 +6,14 @@ from ..diagnostics import YamaroError, failure, settle
 from ..policy import Limits
 from ..source import Span
 from .tree import Comment, Element, Text
-from .values import check_characters, escaped_attribute, escaped_text, format_value, remember
+from .values import (
+    Numbers,
+    check_characters,
+    escaped_attribute,
+    escaped_text,
+    format_value,
+    remember,
+)
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -114,7 +121,7 @@ class _Writer:
             if type(value) is not str:
                 if value is None:
                     continue
-                value = format_value(value)
+                value = value.text if type(value) is Numbers else format_value(value)
             if not value.isidentifier():  # most names are, and have nothing to escape
                 escaped = self._spelled.get(value)
                 if escaped is None:
