@@ -248,13 +248,13 @@ class Adjustment:
         """Turn warnings that are denied into errors; return whether there is any error."""
         has_errors = False
         for diagnostic in diagnostics:
-            if diagnostic.severity == WARNING and self._denies(diagnostic.code):
+            if diagnostic.severity == WARNING and (
+                diagnostic.code in self.denied
+                or (self.is_strict and diagnostic.code not in self.allowed)
+            ):
                 diagnostic.severity = ERROR
             has_errors = has_errors or diagnostic.severity == ERROR
         return has_errors
-
-    def _denies(self, code: str) -> bool:
-        return code in self.denied or (self.is_strict and code not in self.allowed)
 
 
 class Reporter:

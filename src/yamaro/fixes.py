@@ -64,7 +64,10 @@ def respelling(span: Span, word: str, near: str | None, *, is_safe: bool = False
 
     if not near or not word:
         return None
-    if not _is_plain(near):
+    # Only what means itself wherever YAML has a word.
+    if not (near[0].isalpha() or near[0] == "_") or not all(
+        c.isalnum() or c in "_-./:" for c in near
+    ):
         return None
     written = span.written()
     places = [at for at in _occurrences(written, word) if _is_whole(written, at, word)]
@@ -103,11 +106,6 @@ def _is_whole(text: str, at: int, word: str) -> bool:
     before, after = text[max(at - 1, 0) : at], text[end : end + 1]
     goes_on_before = _goes_on(before) and _goes_on(word[0])
     return not goes_on_before and not (_goes_on(after) and _goes_on(word[-1]))
-
-
-def _is_plain(text: str) -> bool:
-    """Return whether a text means itself wherever YAML has a word."""
-    return (text[0].isalpha() or text[0] == "_") and all(c.isalnum() or c in "_-./:" for c in text)
 
 
 def _goes_on(character: str) -> bool:

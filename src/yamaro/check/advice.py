@@ -216,10 +216,6 @@ def _advise_on_mass(link: Link, context: CheckContext) -> None:
             attribute="value",
             hint="check the units, kilograms and metres; water has 1000, steel 7850 kg/m³",
         )
-    _advise_on_inertia(inertial, link, context)
-
-
-def _advise_on_inertia(inertial: Inertial, link: Link, context: CheckContext) -> None:
     element = inertial.inner("inertia")
     if element is None:
         return
@@ -329,7 +325,7 @@ def _advise_on_pose(pose: Pose, owner: Element, context: CheckContext) -> None:
     if origin is None or not rpy:
         return
     roll, pitch, yaw = rpy
-    if all(_is_quarter(angle) for angle in rpy):
+    if all(fabs(remainder(angle, pi / 2)) < QUARTER_TOLERANCE for angle in rpy):
         return  # as CAD and careful people write a turned part
     if fabs(fabs(pitch) - pi / 2) < GIMBAL_TOLERANCE and roll and yaw:
         context.report(
@@ -340,11 +336,6 @@ def _advise_on_pose(pose: Pose, owner: Element, context: CheckContext) -> None:
             attribute="rpy",
             hint="combine both in the roll: tools may write it back with other numbers",
         )
-
-
-def _is_quarter(angle: float) -> bool:
-    """Return whether an angle is 0 or a number of quarter turns."""
-    return fabs(remainder(angle, pi / 2)) < QUARTER_TOLERANCE
 
 
 # --- meshes -----------------------------------------------------------------------------------
@@ -622,7 +613,13 @@ def _advise_on_massless(links: Mapping[str, Link], joints: Joints, context: Chec
 
     MuJoCo refuses such a robot, and Gazebo drops the link with all below it.
     """
-    heavy = _heavy_bodies(links, joints)
+    fixed_to = {joint.child: joint.parent for joint in joints.values() if is_fixed(joint)}
+    heavy: set[str] = set()  # they, or what is rigidly fixed below them, have an inertial
+    for name, link in links.items():
+        above: str | None = name if link.inertial is not None else None
+        while above is not None and above not in heavy:
+            heavy.add(above)
+            above = fixed_to.get(above)
     moved = [
         joint
         for joint in joints.values()
@@ -643,18 +640,6 @@ def _advise_on_massless(links: Mapping[str, Link], joints: Joints, context: Chec
             if more
             else (),
         )
-
-
-def _heavy_bodies(links: Mapping[str, Link], joints: Joints) -> set[str]:
-    """Return the links of which they, or what is rigidly fixed below them, have an inertial."""
-    fixed_to = {joint.child: joint.parent for joint in joints.values() if is_fixed(joint)}
-    heavy: set[str] = set()
-    for name, link in links.items():
-        above: str | None = name if link.inertial is not None else None
-        while above is not None and above not in heavy:
-            heavy.add(above)
-            above = fixed_to.get(above)
-    return heavy
 
 
 # --- expressions that nothing has evaluated ---------------------------------------------------

@@ -262,7 +262,14 @@ class CheckContext:
     def flush(self) -> None:
         """Report what was found, stage by stage, in the order it was found."""
         told = {d.span.key() for d in self.reporter.diagnostics if d.code in KEY_CODES}
-        for found in self._all_found().values():
+        all_found: dict[object, Finding] = {}
+        for stage in self._found:
+            for key, found in stage.items():
+                if key in all_found:  # reported in the first of its stages
+                    all_found[key].count += found.count
+                else:
+                    all_found[key] = found
+        for found in all_found.values():
             diagnostic = found.diagnostic
             if diagnostic is None:
                 continue
@@ -278,17 +285,6 @@ class CheckContext:
             elif found.count > 1:
                 diagnostic.notes += (f"{found.count} elements made here have this fault",)
             self.reporter.add(diagnostic)
-
-    def _all_found(self) -> dict[object, Finding]:
-        """Return what was found in all stages; what came up in several is reported in the first."""
-        all_found: dict[object, Finding] = {}
-        for stage in self._found:
-            for key, found in stage.items():
-                if key in all_found:
-                    all_found[key].count += found.count
-                else:
-                    all_found[key] = found
-        return all_found
 
     def near(
         self, word: str, candidates: Collection[str], span: Span

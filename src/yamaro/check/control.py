@@ -113,7 +113,16 @@ def check_ros2_control(blocks: Iterable[Element], tree: Tree, context: CheckCont
                 truths = ("true", "false")
                 check_value(block, rule, own, context, attribute=attribute, truths=truths)
         _check_attributes(block, where, context)
-        _check_parts(block, where, context)
+        for child in block.elements():
+            if child.name not in PARTS:
+                hint, fix = context.near(child.name, PARTS, child.span)
+                context.report(
+                    "unknown-element",
+                    f"'{child.name}' has no meaning in {where}; {REFUSES}",
+                    child,
+                    hint=hint or f"it can hold {', '.join(PARTS[:-1])}",
+                    fix=fix,
+                )
         _check_hardware(block, where, context)
         _check_components(block, kind, tree, commanded, context)
         declared = {named(each) for each in children(block, "joint")}
@@ -143,19 +152,6 @@ def _check_attributes(element: Element, where: str, context: CheckContext) -> No
             else f'write <param name="{attribute}">…</param> in it',
             fix=(near and respelling(element.name_span(attribute), attribute, near)) or None,
         )
-
-
-def _check_parts(block: Element, where: str, context: CheckContext) -> None:
-    for child in block.elements():
-        if child.name not in PARTS:
-            hint, fix = context.near(child.name, PARTS, child.span)
-            context.report(
-                "unknown-element",
-                f"'{child.name}' has no meaning in {where}; {REFUSES}",
-                child,
-                hint=hint or f"it can hold {', '.join(PARTS[:-1])}",
-                fix=fix,
-            )
 
 
 def _check_hardware(block: Element, where: str, context: CheckContext) -> None:
@@ -312,7 +308,10 @@ def _check_component(
     part: Element, where: str, kind: str, context: CheckContext, *, may_be_empty: bool
 ) -> None:
     params = _check_params(part, where, context)
-    _check_mimic_params(params, where, context)
+    if "mimic" in params:  # which ROS 2 before Jazzy reads
+        for key in ("multiplier", "offset"):
+            if key in params:
+                check_value(params[key], ANY, f"'{key}' of {where}", context)
     if part.name == "joint":
         _check_attributes(part, where, context)
     names = {interface: Names(f"{interface}s of {where}", REFUSES) for interface in INTERFACES}
@@ -368,14 +367,6 @@ def _check_spelling(
         fix=respelling(child.span, child.name, near),
     )
     return True
-
-
-def _check_mimic_params(params: dict[str, Element], where: str, context: CheckContext) -> None:
-    """Check the numbers with which a joint follows another, where ROS 2 before Jazzy reads them."""
-    if "mimic" in params:
-        for key in ("multiplier", "offset"):
-            if key in params:
-                check_value(params[key], ANY, f"'{key}' of {where}", context)
 
 
 def _check_interface(interface: Element, part: Element, where: str, context: CheckContext) -> None:

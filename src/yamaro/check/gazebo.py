@@ -61,7 +61,12 @@ OFTEN = ("sensor", "plugin", "visual", "collision", "light", "material")
 def check_gazebo(blocks: Iterable[Element], tree: Tree, context: CheckContext) -> None:
     """Check the `<gazebo>` blocks of a robot; what they refer to is checked elsewhere."""
     blocks = list(blocks)
-    kept = _kept_joints(blocks)
+    kept = {  # fixed joints that libsdformat keeps
+        (attribute_text(block, "reference") or "").strip()
+        for block in blocks
+        for child in block.elements()
+        if child.name in PRESERVED and (content(child) or "").lower() in ("true", "yes", "1")
+    }
     sensors: dict[str, Names] = {}
     for block in blocks:
         context.outermost = block
@@ -107,16 +112,6 @@ def _table_for(reference: str, tree: Tree) -> Table:
     if reference in tree.joints:
         table |= OF_JOINTS
     return table
-
-
-def _kept_joints(blocks: Iterable[Element]) -> set[str]:
-    """Return the fixed joints that libsdformat keeps."""
-    return {
-        (attribute_text(block, "reference") or "").strip()
-        for block in blocks
-        for child in block.elements()
-        if child.name in PRESERVED and (content(child) or "").lower() in ("true", "yes", "1")
-    }
 
 
 def _check_fixed(block: Element, name: str, tree: Tree, context: CheckContext) -> None:

@@ -30,16 +30,42 @@ def check_joint(joint: Element, children: Children, owner: Element, context: Che
     if kind is None:
         return
     if kind not in JOINT_TYPES:
-        _report_type(kind, joint, context)
+        from ..fixes import respelling
+
+        context.report(
+            "unknown-joint-type",
+            f"joint '{_name(joint)}' has the type '{kind}', which is not a URDF joint type",
+            joint,
+            attribute="type",
+            hint=joint_type_hint(kind),
+            fix=respelling(joint.value_span("type"), kind, joint_type_meant(kind), is_safe=True),
+        )
         return
     axis = children.get("axis")
     if axis is not None and kind in WITH_AXIS:
         _check_axis(axis, joint, context)
     limit = children.get("limit")
     if limit is not None:
-        _check_limit(limit, kind, joint, context)
+        if kind in LIMITED and (
+            attribute_text(limit, "lower") is None and attribute_text(limit, "upper") is None
+        ):
+            context.report(
+                "missing-limit",
+                f"joint '{_name(joint)}' is {kind}, but its limit has no 'lower' and "
+                "no 'upper': both default to 0, so it cannot move",
+                limit,
+                hint=_limit_hint(kind, "add `lower=-1, upper=1` to it"),
+                severity=WARNING,
+            )
+        elif kind != CONTINUOUS:
+            _check_order(limit, "lower", "upper", joint, context)
     elif kind in LIMITED:
-        _report_missing_limit(kind, joint, context)
+        context.report(
+            "missing-limit",
+            f"joint '{_name(joint)}' is {kind} and has no limit, which URDF requires",
+            joint,
+            hint=_limit_hint(kind, "add `limit/lower=-1, upper=1, effort=10, velocity=2:`"),
+        )
     safety = children.get("safety_controller")
     if safety is not None:
         _check_order(safety, "soft_lower_limit", "soft_upper_limit", joint, context)
@@ -50,19 +76,6 @@ def check_joint(joint: Element, children: Children, owner: Element, context: Che
 
 def _name(joint: Element) -> str:
     return attribute_text(joint, "name") or ""
-
-
-def _report_type(kind: str, joint: Element, context: CheckContext) -> None:
-    from ..fixes import respelling
-
-    context.report(
-        "unknown-joint-type",
-        f"joint '{_name(joint)}' has the type '{kind}', which is not a URDF joint type",
-        joint,
-        attribute="type",
-        hint=joint_type_hint(kind),
-        fix=respelling(joint.value_span("type"), kind, joint_type_meant(kind), is_safe=True),
-    )
 
 
 def _check_axis(axis: Element, joint: Element, context: CheckContext) -> None:
@@ -100,35 +113,10 @@ def _check_axis(axis: Element, joint: Element, context: CheckContext) -> None:
 # --- limits -----------------------------------------------------------------------------------
 
 
-def _report_missing_limit(kind: str, joint: Element, context: CheckContext) -> None:
-    context.report(
-        "missing-limit",
-        f"joint '{_name(joint)}' is {kind} and has no limit, which URDF requires",
-        joint,
-        hint=_limit_hint(kind, "add `limit/lower=-1, upper=1, effort=10, velocity=2:`"),
-    )
-
-
 def _limit_hint(kind: str, hint: str) -> str:
     if kind == REVOLUTE:
         return f"{hint}, or make the joint continuous if it rotates without limits"
     return hint
-
-
-def _check_limit(limit: Element, kind: str, joint: Element, context: CheckContext) -> None:
-    if kind in LIMITED and (
-        attribute_text(limit, "lower") is None and attribute_text(limit, "upper") is None
-    ):
-        context.report(
-            "missing-limit",
-            f"joint '{_name(joint)}' is {kind}, but its limit has no 'lower' and "
-            "no 'upper': both default to 0, so it cannot move",
-            limit,
-            hint=_limit_hint(kind, "add `lower=-1, upper=1` to it"),
-            severity=WARNING,
-        )
-    elif kind != CONTINUOUS:
-        _check_order(limit, "lower", "upper", joint, context)
 
 
 def _check_order(

@@ -36,24 +36,20 @@ def check_inertial(
     mass_element = children.get("mass")
     mass = context.numbers.number(mass_element, "value")
     if mass_element is not None and mass is not None and mass <= 0:
-        _report_mass(mass, mass_element, link, context)
+        hint = "give the mass in kilograms"
+        if mass == 0:
+            hint += ", or remove `inertial` if the link is only a frame"
+        context.report(
+            "bad-mass",
+            f"the mass of {label(link)} is {shown(mass)}, but must be greater than 0",
+            mass_element,
+            attribute="value",
+            hint=hint,
+        )
         return
     inertia = children.get("inertia")
     if inertia is not None:
         _check_inertia(inertia, link, context)
-
-
-def _report_mass(mass: float, element: Element, link: Element, context: CheckContext) -> None:
-    hint = "give the mass in kilograms"
-    if mass == 0:
-        hint += ", or remove `inertial` if the link is only a frame"
-    context.report(
-        "bad-mass",
-        f"the mass of {label(link)} is {shown(mass)}, but must be greater than 0",
-        element,
-        attribute="value",
-        hint=hint,
-    )
 
 
 def _check_inertia(inertia: Element, link: Element, context: CheckContext) -> None:
@@ -148,35 +144,29 @@ def _check_geometry(
             hint=f"write a {section.name} for each shape",
         )
     if shapes[0].name == Mesh.kind:
-        _check_scale(shapes[0], where, context)
-    elif shapes[0].name == Capsule.kind and context.version < Capsule.since:
-        _report_capsule(shapes[0], where, context)
-
-
-def _check_scale(mesh: Element, where: str, context: CheckContext) -> None:
-    scale = context.numbers.row(mesh, "scale", 3)
-    if scale and 0.0 in scale:
+        if 0.0 in context.numbers.row(shapes[0], "scale", 3):
+            context.report(
+                "bad-size",
+                f"the scale of the mesh in {where} contains 0, which flattens it",
+                shapes[0],
+                attribute="scale",
+                hint="write `1 1 1` for the mesh as it is, `0.001 0.001 0.001` if it is in "
+                "millimetres",
+                severity=WARNING,
+            )
+    elif (
+        shapes[0].name == Capsule.kind
+        and context.version < Capsule.since
+        # A part with a capsule has been reported already.
+        and all(known.code != CAPSULE_CODE for known in context.reporter.diagnostics)
+    ):
         context.report(
-            "bad-size",
-            f"the scale of the mesh in {where} contains 0, which flattens it",
-            mesh,
-            attribute="scale",
-            hint="write `1 1 1` for the mesh as it is, `0.001 0.001 0.001` if it is in millimetres",
-            severity=WARNING,
+            CAPSULE_CODE,
+            f"the geometry in {where} is a capsule, which needs URDF 1.1",
+            shapes[0],
+            hint="write `version=1.1` on the robot, or use a "
+            "cylinder: urdfdom ignores the shape in 1.0",
         )
-
-
-def _report_capsule(capsule: Element, where: str, context: CheckContext) -> None:
-    """Warn of a capsule in URDF 1.0, unless a part with a capsule has been warned of already."""
-    if any(known.code == CAPSULE_CODE for known in context.reporter.diagnostics):
-        return
-    context.report(
-        CAPSULE_CODE,
-        f"the geometry in {where} is a capsule, which needs URDF 1.1",
-        capsule,
-        hint="write `version=1.1` on the robot, or use a "
-        "cylinder: urdfdom ignores the shape in 1.0",
-    )
 
 
 # --- poses ------------------------------------------------------------------------------------
@@ -190,21 +180,17 @@ def check_pose(origin: Element | None, owner: Element, context: CheckContext) ->
         _check_quaternion(origin, owner, context)
     rpy = attribute_text(origin, "rpy")
     if rpy is not None and ("rpy", rpy) not in context.sound:
-        _check_angles(rpy, origin, owner, context)
-
-
-def _check_angles(rpy: str, origin: Element, owner: Element, context: CheckContext) -> None:
-    for angle in context.numbers.row(origin, "rpy", 3):
-        if fabs(angle) > tau + ANGLE_TOLERANCE:
-            context.report(
-                "angle-too-large",
-                f"'rpy' in {label(owner)} contains {shown(angle)}, more than a full turn",
-                origin,
-                attribute="rpy",
-                hint=degrees_hint(angle, origin.value_span("rpy")),
-            )
-            return
-    context.sound.add(("rpy", rpy))
+        for angle in context.numbers.row(origin, "rpy", 3):
+            if fabs(angle) > tau + ANGLE_TOLERANCE:
+                context.report(
+                    "angle-too-large",
+                    f"'rpy' in {label(owner)} contains {shown(angle)}, more than a full turn",
+                    origin,
+                    attribute="rpy",
+                    hint=degrees_hint(angle, origin.value_span("rpy")),
+                )
+                return
+        context.sound.add(("rpy", rpy))
 
 
 def _check_quaternion(origin: Element, owner: Element, context: CheckContext) -> None:

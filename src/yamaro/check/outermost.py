@@ -117,7 +117,15 @@ def check_references(robot: Robot, tree: Tree, context: CheckContext) -> None:
         elif element.name == "transmission":
             _check_transmission(element, tree, context)
         elif element.name == "ros2_control":
-            _check_ros2_control(element, tree, context)
+            for driven in _children(element, "joint"):
+                _check_joint_name(driven, "this 'ros2_control' block", tree, context)
+                for param in _children(driven, "param"):
+                    name = param.text().strip()
+                    is_mimic = attribute_text(param, "name") == "mimic"
+                    if is_mimic and name and name not in tree.joints:
+                        _report_joint(name, param, None, "this 'mimic' parameter", tree, context)
+            for transmission in _children(element, "transmission"):
+                _check_transmission(transmission, tree, context)
         elif element.name == "sensor":
             _check_sensor(element, tree, context)
     for joint in robot.all_joints:
@@ -153,18 +161,6 @@ def _check_transmission(transmission: Element, tree: Tree, context: CheckContext
     """
     for joint in _children(transmission, "joint"):
         _check_joint_name(joint, "this transmission", tree, context)
-
-
-def _check_ros2_control(control: Element, tree: Tree, context: CheckContext) -> None:
-    """Report joints that are not there: ros2_control ends with an error, or commands nothing."""
-    for joint in _children(control, "joint"):
-        _check_joint_name(joint, "this 'ros2_control' block", tree, context)
-        for param in _children(joint, "param"):
-            name = param.text().strip()
-            if attribute_text(param, "name") == "mimic" and name and name not in tree.joints:
-                _report_joint(name, param, None, "this 'mimic' parameter", tree, context)
-    for transmission in _children(control, "transmission"):
-        _check_transmission(transmission, tree, context)
 
 
 def _check_sensor(sensor: Element, tree: Tree, context: CheckContext) -> None:

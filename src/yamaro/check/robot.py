@@ -198,10 +198,15 @@ def check_tree(robot: Robot, context: CheckContext) -> Tree:
         _check_names(robot.all_joints, robot.joints, context),
     )
     hanging, is_complete = _check_references(robot, tree, context)
-    in_circle = _check_circles(hanging, context)
-    if is_complete and not in_circle:
+    circles = _circles(hanging.parents)
+    if circles:
+        order = {name: index for index, name in enumerate(hanging.parents)}
+        for circle in circles:
+            last = circle.index(max(circle, key=order.__getitem__))
+            _report_circle(circle[last:] + circle[:last], hanging, context)
+    elif is_complete:
         _check_roots(tree, hanging, context)
-    if not in_circle:
+    if not circles:
         _check_depth(hanging, tree, context)
     _check_mimics(robot, tree, context)
     return tree
@@ -373,18 +378,6 @@ def _report_two_parents(child: str, first: Joint, second: Joint, context: CheckC
     )
 
 
-def _check_circles(hanging: Hanging, context: CheckContext) -> bool:
-    """Report each circle of joints once; return whether there is one."""
-    parents = hanging.parents
-    circles = _circles(parents)
-    if circles:
-        order = {name: index for index, name in enumerate(parents)}
-        for circle in circles:
-            last = circle.index(max(circle, key=order.__getitem__))
-            _report_circle(circle[last:] + circle[:last], hanging, context)
-    return bool(circles)
-
-
 def _circles(above: dict[str, str]) -> list[list[str]]:
     """Return each circle once in what has at most one thing above it."""
     done: set[str] = set()
@@ -508,24 +501,20 @@ def _check_mimics(robot: Robot, tree: Tree, context: CheckContext) -> None:
         elif tree.joints.get(name) is joint:
             masters[name] = master
     for circle in _circles(masters):
-        _report_mimic_circle(circle, tree, context)
+        joint = tree.joints[circle[0]]
+        context.outermost = joint.element
+        hint = "remove the mimic from one of them"
+        if len(circle) == 1:
+            hint = "refer to another joint, or remove the mimic"
+            message = f"joint '{circle[0]}' mimics itself"
+        else:
+            way = [*circle[:MAX_PATH_SHOWN], circle[0]]
+            message = f"joints mimic one another in a cycle: {' → '.join(way)}"
+        context.report(
+            "mimic-cycle",
+            message,
+            joint.inner("mimic") or joint.element,
+            attribute="joint",
+            hint=hint,
+        )
     context.outermost = None
-
-
-def _report_mimic_circle(circle: list[str], tree: Tree, context: CheckContext) -> None:
-    joint = tree.joints[circle[0]]
-    context.outermost = joint.element
-    hint = "remove the mimic from one of them"
-    if len(circle) == 1:
-        hint = "refer to another joint, or remove the mimic"
-        message = f"joint '{circle[0]}' mimics itself"
-    else:
-        way = [*circle[:MAX_PATH_SHOWN], circle[0]]
-        message = f"joints mimic one another in a cycle: {' → '.join(way)}"
-    context.report(
-        "mimic-cycle",
-        message,
-        joint.inner("mimic") or joint.element,
-        attribute="joint",
-        hint=hint,
-    )

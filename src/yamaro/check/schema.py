@@ -120,7 +120,14 @@ def _check_element(element: Element, rule: Thing, owner: Element, context: Check
         first = _check_children(element, rule, owner, context)
     for name in rule.required_children:
         if name not in first:
-            _report_missing_child(name, element, owner, context)
+            context.report(
+                "missing-element",
+                f"{_holder(element, owner)} has no '{name}'",
+                element,
+                missing=name,
+                hint=REMEDIES[name],
+                severity=WARNING if element.name in FORGIVEN else ERROR,
+            )
     check_values = VALUE_CHECKS.get(element.name)
     if check_values is not None:
         check_values(element, first, owner, context)
@@ -170,17 +177,13 @@ def _check_alike(element: Element, memo: Memo, owner: Element, context: CheckCon
     elif memo.own:
         for child in element.children[: memo.own]:  # a parent, a child and an origin
             if isinstance(child, Element) and child.name == "origin":
-                _check_own_origin(child, owner, context)
-
-
-def _check_own_origin(origin: Element, joint: Element, context: CheckContext) -> None:
-    if origin.memo is not None:
-        _check_alike(origin, origin.memo, joint, context)
-    else:
-        _check_attributes(origin, ELEMENTS["origin"], joint, context)
-    context.stage = JOINTS
-    check_pose(origin, joint, context)
-    context.stage = SCHEMA
+                if child.memo is not None:
+                    _check_alike(child, child.memo, owner, context)
+                else:
+                    _check_attributes(child, ELEMENTS["origin"], owner, context)
+                context.stage = JOINTS
+                check_pose(child, owner, context)
+                context.stage = SCHEMA
 
 
 def _severity_of(name: str, context: CheckContext) -> str:
@@ -224,7 +227,23 @@ def _check_numbers(
         return
     found = context.numbers.of(value)
     if isinstance(found, NumberFault):
-        _report_not_a_number(found, format_value(value), name, element, owner, context)
+        text = format_value(value)
+        where = f"'{name}' of '{element.name}' in {label(owner)}"
+        if found.kind == SPACING:
+            message = f"{where} has white space that urdfdom does not accept in a number"
+            hint = (
+                f"write `{' '.join(text.split())}`: single spaces between numbers, none at the end"
+            )
+        elif found.kind == NOT_FINITE:
+            message = f"{where} holds '{found.item}', which is not a finite number"
+            hint = "write a finite number; parsers reject NaN and infinities"
+        else:
+            message = f"{where} holds '{found.item}', which is not a number"
+            hint = _hint_for_word(found.item, text)
+        severity = _severity_of(name, context)
+        context.report(
+            "not-a-number", message, element, attribute=name, hint=hint, severity=severity
+        )
         return
     if len(found) != rule.count:
         _report_count(len(found), format_value(value), name, rule, element, owner, context)
@@ -236,28 +255,6 @@ def _check_numbers(
                 return
     if type(value) is str and len(value) <= LONGEST_ROW_REMEMBERED:
         remember(context.sound_values.setdefault(rule, {}), value, True)
-
-
-def _report_not_a_number(
-    fault: NumberFault,
-    text: str,
-    name: str,
-    element: Element,
-    owner: Element,
-    context: CheckContext,
-) -> None:
-    where = f"'{name}' of '{element.name}' in {label(owner)}"
-    if fault.kind == SPACING:
-        message = f"{where} has white space that urdfdom does not accept in a number"
-        hint = f"write `{' '.join(text.split())}`: single spaces between numbers, none at the end"
-    elif fault.kind == NOT_FINITE:
-        message = f"{where} holds '{fault.item}', which is not a finite number"
-        hint = "write a finite number; parsers reject NaN and infinities"
-    else:
-        message = f"{where} holds '{fault.item}', which is not a number"
-        hint = _hint_for_word(fault.item, text)
-    severity = _severity_of(name, context)
-    context.report("not-a-number", message, element, attribute=name, hint=hint, severity=severity)
 
 
 def _hint_for_word(item: str, text: str) -> str:
@@ -423,20 +420,6 @@ def _check_repeated(
             children.setdefault(inner.name, inner)
         check_inertial(child, children, owner, context)
         context.stage = SCHEMA
-
-
-def _report_missing_child(
-    name: str, element: Element, owner: Element, context: CheckContext
-) -> None:
-    subject = _holder(element, owner)
-    context.report(
-        "missing-element",
-        f"{subject} has no '{name}'",
-        element,
-        missing=name,
-        hint=REMEDIES[name],
-        severity=WARNING if element.name in FORGIVEN else ERROR,
-    )
 
 
 def _check_unknown_child(

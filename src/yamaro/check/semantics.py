@@ -311,7 +311,15 @@ def _check_spheres(holder: Element, where: str, context: CheckContext) -> None:
 def findings_against(root: Element, robot: Robot, reporter: Reporter) -> None:
     """Report what an SRDF says of links and joints that the robot does not have."""
     context = CheckContext(root, reporter, is_advice=True)
-    _check_robot_name(root, robot, context)
+    name = named(root)
+    if name and robot.name and name != robot.name:
+        context.report(
+            "unknown-reference",
+            f"this SRDF is for the robot '{name}', but the robot is called '{robot.name}'",
+            root,
+            attribute="name",
+            hint=f"write name={robot.name}, or check it with the robot that it is for",
+        )
     virtual = {named(each) for each in children(root, "virtual_joint")}
     joints = [*robot.joints, *virtual]
     groups = {named(each): each for each in children(root, "group")}
@@ -341,18 +349,6 @@ def findings_against(root: Element, robot: Robot, reporter: Reporter) -> None:
     context.flush()
 
 
-def _check_robot_name(root: Element, robot: Robot, context: CheckContext) -> None:
-    name = named(root)
-    if name and robot.name and name != robot.name:
-        context.report(
-            "unknown-reference",
-            f"this SRDF is for the robot '{name}', but the robot is called '{robot.name}'",
-            root,
-            attribute="name",
-            hint=f"write name={robot.name}, or check it with the robot that it is for",
-        )
-
-
 def _check_name(
     element: Element,
     attribute: str,
@@ -379,7 +375,7 @@ def _check_chain(chain: Element, robot: Robot, where: str, context: CheckContext
     for end in ("base_link", "tip_link"):
         _check_name(chain, end, robot.links, "link", where, context)
     base, tip = ((attribute_text(chain, end) or "").strip() for end in ("base_link", "tip_link"))
-    if base in robot.links and tip in robot.links and base != tip and _is_above(tip, base, robot):
+    if base in robot.links and tip in robot.links and base != tip and tip in _way_up(base, robot):
         context.report(
             "reversed-chain",
             f"the chain of {where} begins at '{base}', which is below its end '{tip}'",
@@ -387,11 +383,6 @@ def _check_chain(chain: Element, robot: Robot, where: str, context: CheckContext
             attribute="base_link",
             hint="swap the two: `base_link` is nearer to the root",
         )
-
-
-def _is_above(upper: str, lower: str, robot: Robot) -> bool:
-    """Return whether a link is on the way from another to the root."""
-    return upper in _way_up(lower, robot)
 
 
 def _way_up(link: str, robot: Robot) -> list[str]:

@@ -132,7 +132,17 @@ def _check_numbers(
         return ()
     for number in row:
         if not rule.least <= number <= rule.most or number <= rule.above:
-            _report_range(number, rule, where, element, span, context)
+            if number < 0 and (rule.above == 0 or rule.least >= 0):
+                code, what = "negative-value", f"{where} is {shown(number)}, but cannot be negative"
+            else:
+                code, what = "out-of-range", f"{where} is {shown(number)}, which is out of range"
+            if rule.above > -inf:
+                hint = f"write a number greater than {shown(rule.above)}"
+            elif rule.most < inf:
+                hint = f"write a number from {shown(rule.least)} to {shown(rule.most)}"
+            else:
+                hint = f"write a number of at least {shown(rule.least)}"
+            context.report(code, what, element, span=span, hint=hint)
             return ()
     return row
 
@@ -141,22 +151,6 @@ def _count(rule: Value, element: Element) -> int:
     if rule.kind != POSE:
         return rule.count
     return POSE_COUNTS.get(attribute_text(element, "rotation_format") or "", 6)
-
-
-def _report_range(
-    number: float, rule: Value, where: str, element: Element, span: Span, context: CheckContext
-) -> None:
-    if number < 0 and (rule.above == 0 or rule.least >= 0):
-        code, what = "negative-value", f"{where} is {shown(number)}, but cannot be negative"
-    else:
-        code, what = "out-of-range", f"{where} is {shown(number)}, which is out of range"
-    if rule.above > -inf:
-        hint = f"write a number greater than {shown(rule.above)}"
-    elif rule.most < inf:
-        hint = f"write a number from {shown(rule.least)} to {shown(rule.most)}"
-    else:
-        hint = f"write a number of at least {shown(rule.least)}"
-    context.report(code, what, element, span=span, hint=hint)
 
 
 def numbers(text: str) -> tuple[float, ...] | None:

@@ -67,16 +67,6 @@ def run(arguments: Arguments, streams: Streams) -> int:
         accepts=arguments.has("accept"),
         wants=lambda name: wanted in name,
     )
-    results: list[FileResult] = []
-    for path in _paths(arguments):
-        result = runner.run(path)
-        results.append(result)
-        _report(result, arguments, streams)
-    return _conclude(results, arguments, streams)
-
-
-def _paths(arguments: Arguments) -> list[str]:
-    """Return the test files; raise WrongUsage if there are none."""
     from .files import test_files
 
     words = arguments.words or ["."]
@@ -89,22 +79,22 @@ def _paths(arguments: Arguments) -> list[str]:
     if not found:
         where = ", ".join(map(quote, words))
         raise WrongUsage(f"there is no test file (*.test.yaml) in {where}")
-    return found
+    results: list[FileResult] = []
+    for path in found:
+        result = runner.run(path)
+        results.append(result)
+        if result.errors:
+            _show(result.errors, arguments, streams)
+        for case in result.cases:
+            if case.failures:
+                streams.say(f"FAILED {_title(result, case)}")
+                _show(case.failures, arguments, streams)
+            elif case.accepted and not streams.quiet:
+                streams.say(f"wrote {case.accepted}")
+    return _conclude(results, arguments, streams)
 
 
 # --- while they run ---
-
-
-def _report(result: FileResult, arguments: Arguments, streams: Streams) -> None:
-    """Say why cases of a file failed."""
-    if result.errors:
-        _show(result.errors, arguments, streams)
-    for case in result.cases:
-        if case.failures:
-            streams.say(f"FAILED {_title(result, case)}")
-            _show(case.failures, arguments, streams)
-        elif case.accepted and not streams.quiet:
-            streams.say(f"wrote {case.accepted}")
 
 
 def _title(result: FileResult, case: CaseResult) -> str:
@@ -132,9 +122,23 @@ def _conclude(results: list[FileResult], arguments: Arguments, streams: Streams)
     if arguments.has("junit"):
         status = _write_junit(results, arguments, streams)
     if arguments.has("json"):
-        status = max(status, deliver([_json(results)], arguments, streams))
+        import json
+
+        from .runner import results_data
+
+        text = json.dumps(results_data(results), indent=2) + "\n"
+        status = max(status, deliver([text], arguments, streams))
     elif not streams.quiet:
-        status = max(status, deliver([_summary(results)], arguments, streams))
+        from ...terminal import printable
+
+        lines = [
+            f"{printable(result.path)}: {_counted(*_counts([result]))}"
+            for result in results
+            if result.cases or result.errors
+        ]
+        if len(lines) > 1:
+            lines.append(_counted(*_counts(results)))
+        status = max(status, deliver(["\n".join(lines) + "\n"], arguments, streams))
     return INPUT_ERROR if failed or broken else status
 
 
@@ -145,32 +149,10 @@ def _counts(results: list[FileResult]) -> tuple[int, int, int]:
     return len(cases) - failed, failed, sum(bool(result.errors) for result in results)
 
 
-def _summary(results: list[FileResult]) -> str:
-    """Return a line for each file, and for several files one for all."""
-    from ...terminal import printable
-
-    lines = [
-        f"{printable(result.path)}: {_counted(*_counts([result]))}"
-        for result in results
-        if result.cases or result.errors
-    ]
-    if len(lines) > 1:
-        lines.append(_counted(*_counts(results)))
-    return "\n".join(lines) + "\n"
-
-
 def _counted(passed: int, failed: int, broken: int) -> str:
     files = f"{broken} test file{'s' if broken > 1 else ''} with errors"
     parts = [(failed, f"{failed} failed"), (broken, files), (passed, f"{passed} passed")]
     return ", ".join(text for count, text in parts if count)
-
-
-def _json(results: list[FileResult]) -> str:
-    import json
-
-    from .runner import results_data
-
-    return json.dumps(results_data(results), indent=2) + "\n"
 
 
 def _write_junit(results: list[FileResult], arguments: Arguments, streams: Streams) -> int:

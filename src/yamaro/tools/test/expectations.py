@@ -33,7 +33,7 @@ from ...runtime.python_errors import Explainer
 from ...runtime.scope import Home, Scope, SharedNames
 from ...safe.limits import SafeLimits
 from ...safe.runtime import SafeRuntime
-from ...safe.values import Function, a_type, function
+from ...safe.values import a_type, function
 from ...syntax.python import compile_expression
 from ...terminal import shortened
 from .files import without_trust
@@ -151,24 +151,21 @@ class ModelRuntime(SafeRuntime):
             return dict(value) if isinstance(value, ByName) else value
         methods = METHODS.get(kind, frozenset())
         if name in methods:
-            return self._method(owner, name)
+            method: Callable[..., Any] = getattr(owner, name)
+            cost = STEPS + (len(owner.links) if isinstance(owner, Robot) else 0)
+
+            def run(*args: Any, **named: Any) -> Any:
+                self.charge(cost)
+                for value in (*args, *named.values()):
+                    self.measured(value)
+                return method(*args, **named)
+
+            return function(run, f"<method {name} of {a_type(owner)}>")
         from ...diagnostics import did_you_mean
 
         message = f"{a_type(owner)} has no attribute '{name}'"
         hint = did_you_mean(name, [*known, *methods])
         raise AttributeError(message + (f"; {hint}" if hint else ""))
-
-    def _method(self, owner: Any, name: str) -> Function:
-        method: Callable[..., Any] = getattr(owner, name)
-        cost = STEPS + (len(owner.links) if isinstance(owner, Robot) else 0)
-
-        def run(*args: Any, **named: Any) -> Any:
-            self.charge(cost)
-            for value in (*args, *named.values()):
-                self.measured(value)
-            return method(*args, **named)
-
-        return function(run, f"<method {name} of {a_type(owner)}>")
 
     def _iterate(self, source: Any) -> Any:
         if type(source) in READABLE:
@@ -302,18 +299,14 @@ def value_text(value: object) -> str:
     if isinstance(value, list):
         return f"[{', '.join(map(value_text, value))}]"
     if type(value) in READABLE or isinstance(value, (dict, type({}.values()), type({}.keys()))):
-        return _object_text(value)
+        from ...model.pose import Pose
+
+        if isinstance(value, Pose):
+            return f"a pose at {value_text(value.position)} with rpy {value_text(value.rpy)}"
+        if isinstance(value, (dict, type({}.values()), type({}.keys()))):
+            keys = ", ".join(map(str, value)) if not isinstance(value, type({}.values())) else ""
+            count = f"{len(value)} items" if len(value) != 1 else "1 item"
+            return f"{count}: {shortened(keys)}" if keys and len(value) <= MOST_ITEMS else count
+        name = getattr(value, "name", "")
+        return f"the {type(value).__name__.lower()} '{name}'" if name else repr(value)
     return shortened(repr(value))
-
-
-def _object_text(value: object) -> str:
-    from ...model.pose import Pose
-
-    if isinstance(value, Pose):
-        return f"a pose at {value_text(value.position)} with rpy {value_text(value.rpy)}"
-    if isinstance(value, (dict, type({}.values()), type({}.keys()))):
-        keys = ", ".join(map(str, value)) if not isinstance(value, type({}.values())) else ""
-        count = f"{len(value)} items" if len(value) != 1 else "1 item"
-        return f"{count}: {shortened(keys)}" if keys and len(value) <= MOST_ITEMS else count
-    name = getattr(value, "name", "")
-    return f"the {type(value).__name__.lower()} '{name}'" if name else repr(value)

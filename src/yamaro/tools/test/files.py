@@ -198,29 +198,27 @@ class _Parser:
                 hint="robot: arm.yaml names the file to test",
             )
         if CASES in found:
-            cases = self._cases(found)
+            for key in CASE_KEYS:
+                if key in found and key != SET:
+                    message = f"`{key}` belongs to one of the `cases`"
+                    self._error(
+                        "bad-test", message, found[key].span(), hint="move it into the list"
+                    )
+            shared, places = self._variables(found.get(SET))
+            cases = []
+            for number, node in enumerate(self._items(found[CASES], CASES), 1):
+                inner = self._entries(node, CASE_KEYS, "a case")
+                if inner is not None:
+                    case = self._case(inner, node.span(), name=f"case {number}")
+                    case.variables = {**shared, **case.variables}
+                    case.places = {**places, **case.places}
+                    cases.append(case)
         else:
             name = os.path.basename(self._source.name)
             for ending in ENDINGS:
                 name = name.removesuffix(ending)
             cases = [self._case(found, root.span(), name=name)]
         return TestFile(self._source, robot, cases) if robot is not None else None
-
-    def _cases(self, found: dict[str, YamlNode]) -> list[Case]:
-        for key in CASE_KEYS:
-            if key in found and key != SET:
-                message = f"`{key}` belongs to one of the `cases`"
-                self._error("bad-test", message, found[key].span(), hint="move it into the list")
-        shared, places = self._variables(found.get(SET))
-        cases = []
-        for number, node in enumerate(self._items(found[CASES], CASES), 1):
-            inner = self._entries(node, CASE_KEYS, "a case")
-            if inner is not None:
-                case = self._case(inner, node.span(), name=f"case {number}")
-                case.variables = {**shared, **case.variables}
-                case.places = {**places, **case.places}
-                cases.append(case)
-        return cases
 
     def _case(self, found: dict[str, YamlNode], span: Span, *, name: str) -> Case:
         given = self._text(found.get("name"), "name")

@@ -101,14 +101,11 @@ class Runner:
         except YamaroError as error:
             result.errors = error.diagnostics
             return result
-        program = self._program(file)
+        program = Program(file.robot_path(), policy=self._policy, packages=self._packages)
         for case in file.cases:
             if self._wants(f"{path}: {case.name}"):
                 result.cases.append(self._run_case(case, file, program))
         return result
-
-    def _program(self, file: TestFile) -> Program:
-        return Program(file.robot_path(), policy=self._policy, packages=self._packages)
 
     def _run_case(self, case: Case, file: TestFile, program: Program) -> CaseResult:
         result = CaseResult(case)
@@ -280,7 +277,12 @@ def compare_with_golden(
         return [], ""
     if accepts:
         _check_replaceable(path, old, build, golden, folder)
-        _write(path, build, name, span)
+        try:
+            os.makedirs(os.path.dirname(path), exist_ok=True)
+            write_file(path, build.encoded())
+        except OSError as error:
+            reason = error.strerror or str(error)
+            raise failure("output-differs", f"'{name}' cannot be written: {reason}", span) from None
         return [], os.path.normpath(os.path.join(os.path.dirname(span.source.name), name))
     if lines is None:
         message, notes = f"the file '{name}' does not exist", []
@@ -324,21 +326,21 @@ def _root_of(text: str) -> str:
         return ""
 
 
-def _write(path: str, build: Build, name: str, span: Span) -> None:
-    try:
-        os.makedirs(os.path.dirname(path), exist_ok=True)
-        write_file(path, build.encoded())
-    except OSError as error:
-        reason = error.strerror or str(error)
-        raise failure("output-differs", f"'{name}' cannot be written: {reason}", span) from None
-
-
 def _differences(old: str, build: Build, name: str) -> list[str]:
     """Return in what the output differs by meaning, a line for each change."""
     from ...model.robot import Robot
 
     if build.root_name != "robot":
-        return _differences_of_xml(old, build, name)
+        from ...model.compare import compare
+        from ...source import Source
+        from ...xml.reader import read_xml
+
+        try:
+            old_root = read_xml(Source(old, name=name)).root
+            new_root = read_xml(Source(build.xml(), name="output")).root
+        except YamaroError as error:
+            return [f"{name}: {error.diagnostics[0].message}"]
+        return _first([str(difference) for difference in compare(old_root, new_root)])
     try:
         before = Robot.from_xml(old, name=name)
     except YamaroError as error:
@@ -352,19 +354,6 @@ def _differences(old: str, build: Build, name: str) -> list[str]:
     mains = (name, "")
     text = DiffText(changes, robots, name=_name_of, mains=mains).render((name, "the output"))
     return _first(text.rstrip("\n").split("\n")[2:])
-
-
-def _differences_of_xml(old: str, build: Build, name: str) -> list[str]:
-    from ...model.compare import compare
-    from ...source import Source
-    from ...xml.reader import read_xml
-
-    try:
-        before = read_xml(Source(old, name=name)).root
-        after = read_xml(Source(build.xml(), name="output")).root
-    except YamaroError as error:
-        return [f"{name}: {error.diagnostics[0].message}"]
-    return _first([str(difference) for difference in compare(before, after)])
 
 
 def _first(lines: list[str]) -> list[str]:
