@@ -174,7 +174,7 @@ def test_an_error_is_underlined_and_told_and_a_click_goes_there(page: Playground
         "new MouseEvent('mousemove', {bubbles: true, clientX: box.x + 3, clientY: box.y + 3})))"
         "(document.querySelector('.cm-lintRange-error').getClientRects())"
     )
-    page.wait_for("document.querySelector('.cm-tooltip .cm-diagnostic a')")
+    page.wait_for("!!document.querySelector('.cm-tooltip .cm-diagnostic a')")
     assert page.text(".cm-tooltip .cm-diagnostic a") == "undefined-name"
     link = page.run("document.querySelector('.cm-tooltip .cm-diagnostic a').getAttribute('href')")
     assert link == "../diagnostics.html#undefined-name"

@@ -464,11 +464,6 @@ def _check_joint(
                 attribute="name",
                 hint=f"add the joint '{joint.mimic.joint}' to the block",
             )
-    _check_start(part, joint, context)
-
-
-def _check_start(part: Element, joint: Joint, context: CheckContext) -> None:
-    """Report a joint that starts beyond its limits."""
     limit = joint.limit
     if limit is None or joint.type not in LIMITED:
         return

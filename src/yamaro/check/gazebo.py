@@ -99,7 +99,16 @@ def check_gazebo(blocks: Iterable[Element], tree: Tree, context: CheckContext) -
             elif child.name == "plugin":
                 _check_plugin(child, tree, context)
         if reference in tree.joints and reference not in tree.links and reference not in kept:
-            _check_fixed(block, reference, tree, context)
+            said = [child for child in block.elements() if child.name not in PRESERVED]
+            if is_fixed(tree.joints[reference]) and said:
+                context.report(
+                    "fixed-joint",
+                    f"joint '{reference}' is fixed: Gazebo merges its two links, so that this "
+                    "block has no effect",
+                    block,
+                    attribute="reference",
+                    hint="add `preserveFixedJoint: true` to the block, or refer to a link",
+                )
     context.outermost = None
 
 
@@ -112,21 +121,6 @@ def _table_for(reference: str, tree: Tree) -> Table:
     if reference in tree.joints:
         table |= OF_JOINTS
     return table
-
-
-def _check_fixed(block: Element, name: str, tree: Tree, context: CheckContext) -> None:
-    """Report what is said of a fixed joint: libsdformat merges its links, and drops the joint."""
-    joint = tree.joints[name]
-    said = [child for child in block.elements() if child.name not in PRESERVED]
-    if is_fixed(joint) and said:
-        context.report(
-            "fixed-joint",
-            f"joint '{name}' is fixed: Gazebo merges its two links, so that this block has no "
-            "effect",
-            block,
-            attribute="reference",
-            hint="add `preserveFixedJoint: true` to the block, or refer to a link",
-        )
 
 
 def _check_entry(

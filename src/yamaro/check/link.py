@@ -48,11 +48,8 @@ def check_inertial(
         )
         return
     inertia = children.get("inertia")
-    if inertia is not None:
-        _check_inertia(inertia, link, context)
-
-
-def _check_inertia(inertia: Element, link: Element, context: CheckContext) -> None:
+    if inertia is None:
+        return
     texts = tuple([attribute_text(inertia, name) for name in MOMENTS])
     if texts in context.sound:
         return
@@ -113,13 +110,8 @@ def check_section(
     context.stage = LINKS
     check_pose(children.get("origin"), link, context)
     geometry = children.get("geometry")
-    if geometry is not None:
-        _check_geometry(geometry, section, link, context)
-
-
-def _check_geometry(
-    geometry: Element, section: Element, link: Element, context: CheckContext
-) -> None:
+    if geometry is None:
+        return
     if len(geometry.children) == 1:
         only = geometry.children[0]
         if isinstance(only, Element) and only.name in PLAIN_SHAPES:

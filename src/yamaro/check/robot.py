@@ -69,7 +69,11 @@ def check(
     check_elements(root, context)
     context.stage = TREE
     tree = check_tree(robot, context)
-    _check_materials(robot, context)
+    context.stage = MATERIALS
+    if robot.own_materials or context.material_uses:
+        from .material import check_materials
+
+        check_materials(robot, context)
     if context.has_extensions or any(joint.mimic is not None for joint in robot.all_joints):
         from .outermost import check_references
 
@@ -97,14 +101,6 @@ def check(
 
         check_advice(robot, tree, context, advice=advice, resolve_mesh=resolve_mesh)
     return bool(context.file_owners)
-
-
-def _check_materials(robot: Robot, context: CheckContext) -> None:
-    context.stage = MATERIALS
-    if robot.own_materials or context.material_uses:
-        from .material import check_materials
-
-        check_materials(robot, context)
 
 
 def check_format(root: Element, reporter: Reporter) -> None:

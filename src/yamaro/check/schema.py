@@ -65,7 +65,6 @@ VALUE_CHECKS: dict[str, ValueCheck] = {
     "texture": _note_file,
 }
 """What looks at the values of an element, by its name."""
-NO_CHILDREN: Children = {}
 LEAVES = frozenset(
     name
     for name, rule in ELEMENTS.items()
@@ -113,39 +112,13 @@ def check_elements(root: Element, context: CheckContext) -> None:
 def _check_element(element: Element, rule: Thing, owner: Element, context: CheckContext) -> None:
     """Check an element and what is in it; the depth is bounded by the table."""
     _check_attributes(element, rule, owner, context)
-    children = element.children
-    if not children:
-        first = NO_CHILDREN
-    else:
-        first = _check_children(element, rule, owner, context)
-    for name in rule.required_children:
-        if name not in first:
-            context.report(
-                "missing-element",
-                f"{_holder(element, owner)} has no '{name}'",
-                element,
-                missing=name,
-                hint=REMEDIES[name],
-                severity=WARNING if element.name in FORGIVEN else ERROR,
-            )
-    check_values = VALUE_CHECKS.get(element.name)
-    if check_values is not None:
-        check_values(element, first, owner, context)
-        context.stage = SCHEMA
-
-
-def _check_children(
-    element: Element, rule: Thing, owner: Element, context: CheckContext
-) -> Children:
-    """Check the elements in an element, and return the first of each name that may stand once."""
-    known = rule.children
-    first: Children = {}
-    names: set[str] = set()  # of all of them, once one is unknown
+    first: Children = {}  # of each name that may stand once
+    names: set[str] = set()  # of all children, once one is unknown
     for child in element.children:
         if not isinstance(child, Element):
             continue
         name = child.name
-        many = known.get(name)
+        many = rule.children.get(name)
         if many is None:
             names = names or {each.name for each in element.elements()}
             _check_unknown_child(child, element, names, rule, owner, context)
@@ -161,7 +134,20 @@ def _check_children(
             _check_element(child, ELEMENTS[name], owner, context)
         else:
             _check_attributes(child, ELEMENTS[name], owner, context)
-    return first
+    for name in rule.required_children:
+        if name not in first:
+            context.report(
+                "missing-element",
+                f"{_holder(element, owner)} has no '{name}'",
+                element,
+                missing=name,
+                hint=REMEDIES[name],
+                severity=WARNING if element.name in FORGIVEN else ERROR,
+            )
+    check_values = VALUE_CHECKS.get(element.name)
+    if check_values is not None:
+        check_values(element, first, owner, context)
+        context.stage = SCHEMA
 
 
 def _check_alike(element: Element, memo: Memo, owner: Element, context: CheckContext) -> None:

@@ -112,11 +112,22 @@ def check_semantics(root: Element, context: CheckContext) -> None:
             for attribute in ("group", "parent_group"):
                 _check_group_name(child, attribute, groups, where, context)
         elif child.name == "virtual_joint":
-            _check_virtual(child, where, context)
+            kind = (attribute_text(child, "type") or "").strip()
+            if kind and kind.lower() not in VIRTUAL and "$" not in kind:
+                report_word(
+                    kind, VIRTUAL, f"the type of {where}", child, child.value_span("type"), context,
+                    result="so MoveIt takes it as fixed",
+                )  # fmt: skip
         elif child.name in ("disable_collisions", "enable_collisions"):
             _check_pair(child, pairs, context)
         elif child.name == "link_sphere_approximation":
-            _check_spheres(child, where, context)
+            for sphere in children(child, "sphere"):
+                own = f"a sphere of {where}"
+                if check_required(sphere, ("center", "radius"), own, IGNORES, context):
+                    check_value(sphere, THREE, f"'center' of {own}", context, attribute="center")
+                    check_value(
+                        sphere, NOT_NEGATIVE, f"'radius' of {own}", context, attribute="radius"
+                    )
     context.outermost = None
     _check_circles(groups, context)
     if not any(child.name in NEEDED for child in root.elements()):
@@ -259,15 +270,6 @@ def _check_state(
         )
 
 
-def _check_virtual(joint: Element, where: str, context: CheckContext) -> None:
-    kind = (attribute_text(joint, "type") or "").strip()
-    if kind and kind.lower() not in VIRTUAL and "$" not in kind:
-        report_word(
-            kind, VIRTUAL, f"the type of {where}", joint, joint.value_span("type"), context,
-            result="so MoveIt takes it as fixed",
-        )  # fmt: skip
-
-
 def _check_pair(
     pair: Element, pairs: dict[tuple[str, ...], Element], context: CheckContext
 ) -> None:
@@ -295,14 +297,6 @@ def _check_pair(
             hint="remove one of them",
             notes=(f"first given at {first.span.place()}",),
         )
-
-
-def _check_spheres(holder: Element, where: str, context: CheckContext) -> None:
-    for sphere in children(holder, "sphere"):
-        own = f"a sphere of {where}"
-        if check_required(sphere, ("center", "radius"), own, IGNORES, context):
-            check_value(sphere, THREE, f"'center' of {own}", context, attribute="center")
-            check_value(sphere, NOT_NEGATIVE, f"'radius' of {own}", context, attribute="radius")
 
 
 # --- against the robot --------------------------------------------------------------------------

@@ -224,8 +224,23 @@ class _Parser:
         given = self._text(found.get("name"), "name")
         case = Case(given[0] if given else name, given[1] if given else span)
         case.variables, case.places = self._variables(found.get(SET))
-        if "expect" in found:
-            case.expectations = self._expectations(found["expect"])
+        expected = found.get("expect")
+        if expected is not None:
+            is_one = isinstance(expected, ScalarNode)
+            for each in [expected] if is_one else self._items(expected, "expect"):
+                if not isinstance(each, ScalarNode):
+                    self._error(
+                        "bad-test",
+                        "an expectation is a Python expression",
+                        each.span(),
+                        hint=f"if it holds a colon and a space, quote it: {_quoted(each)}",
+                    )
+                    continue
+                try:
+                    python = compile_expression(each.text, each, 0, self._rules)
+                    case.expectations.append(python)
+                except YamaroError as error:
+                    self.errors += error.diagnostics
         if "error" in found:
             case.errors = self._expected_errors(found["error"])
         if "warnings" in found:
@@ -258,24 +273,6 @@ class _Parser:
         return None
 
     # --- values ---
-
-    def _expectations(self, node: YamlNode) -> list[PythonCode]:
-        found = []
-        nodes = [node] if isinstance(node, ScalarNode) else self._items(node, "expect")
-        for each in nodes:
-            if not isinstance(each, ScalarNode):
-                self._error(
-                    "bad-test",
-                    "an expectation is a Python expression",
-                    each.span(),
-                    hint=f"if it holds a colon and a space, quote it: {_quoted(each)}",
-                )
-                continue
-            try:
-                found.append(compile_expression(each.text, each, 0, self._rules))
-            except YamaroError as error:
-                self.errors += error.diagnostics
-        return found
 
     def _expected_errors(self, node: YamlNode) -> list[ExpectedError]:
         nodes = node.items if isinstance(node, SequenceNode) else [node]

@@ -103,18 +103,16 @@ class Runner:
             return result
         program = Program(file.robot_path(), policy=self._policy, packages=self._packages)
         for case in file.cases:
-            if self._wants(f"{path}: {case.name}"):
-                result.cases.append(self._run_case(case, file, program))
-        return result
-
-    def _run_case(self, case: Case, file: TestFile, program: Program) -> CaseResult:
-        result = CaseResult(case)
-        started = perf_counter()
-        try:
-            result.failures = self._failures(result, file, program)
-        except YamaroError as error:
-            result.failures = _at_home(error.diagnostics, case)
-        result.seconds = perf_counter() - started
+            if not self._wants(f"{path}: {case.name}"):
+                continue
+            run = CaseResult(case)
+            result.cases.append(run)
+            started = perf_counter()
+            try:
+                run.failures = self._failures(run, file, program)
+            except YamaroError as error:
+                run.failures = _at_home(error.diagnostics, case)
+            run.seconds = perf_counter() - started
         return result
 
     def _failures(self, result: CaseResult, file: TestFile, program: Program) -> list[Diagnostic]:
