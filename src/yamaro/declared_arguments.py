@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from .files.packages import PackageFinder
     from .policy import Limits
     from .source import Span
+    from .xacro.symbol_table import Definition
     from .xml.tree import Element
     from .yaml.nodes import YamlNode
 
@@ -237,8 +238,6 @@ def about(declared: Declared) -> str:
 # --- the arguments of a xacro file and of those it includes -----------------------------------
 
 
-_ARGUMENT = "xacro:arg"
-_INCLUDE = "xacro:include"
 _COMMAND = re.compile(r"\$\((find|arg|dirname)(?: +([\w./-]+))?\)")
 
 
@@ -274,29 +273,31 @@ class _Reading:
 
     def run(self, source: Source) -> tuple[list[Declared], list[str]]:
         """Read the main file, then what it includes."""
+        from .xacro.symbol_table import ARGUMENT, definition_of
+
         pending = [source]
         while pending:
             current = pending.pop()
             included: list[Source] = []
-            for element in _below(read_xml(current, self._limits).root):
-                if element.name == _ARGUMENT:
-                    self._add(element)
-                elif element.name == _INCLUDE:
+            for element in read_xml(current, self._limits).root.iter():
+                own = definition_of(element)
+                if own is not None and own.kind == ARGUMENT:
+                    self._add(own)
+                elif element.name == "xacro:include":
                     included += self._included(element, current)
             pending += reversed(included)
         return list(self._found.values()), list(self._unread)
 
-    def _add(self, element: Element) -> None:
-        name = format_value(element.attributes.get("name"))
+    def _add(self, argument: Definition) -> None:
+        name = argument.name
         if not name or "$" in name:
             return
         declared = self._found.get(name)
         if declared is None:
-            declared = self._found[name] = Declared(name, element.span)
+            declared = self._found[name] = Declared(name, argument.element.span)
             declared.key = name
-        default = element.attributes.get("default")
-        if default is not None and declared.default_text is None:
-            declared.default_text = format_value(default)
+        if "default" in argument.element.attributes and declared.default_text is None:
+            declared.default_text = argument.text
             declared.default = declared.default_text
             declared.has_value = "$" not in declared.default_text
 
@@ -341,12 +342,3 @@ class _Reading:
     @staticmethod
     def _folder(source: Source) -> str:
         return os.path.dirname(source.path) if source.path else os.getcwd()
-
-
-def _below(root: Element) -> Iterator[Element]:
-    """Yield the elements below a root, in document order."""
-    pending = list(reversed(root.elements()))
-    while pending:
-        element = pending.pop()
-        yield element
-        pending += reversed(element.elements())

@@ -11,7 +11,7 @@ from ..model.pose import Pose
 from ..model.schema import ELEMENTS, KEPT, NEGATED, RECORDS
 from ..source import joined
 from ..xml.robot_names import RobotNames
-from ..xml.tree import Comment, Element, RawBlock, Text
+from ..xml.tree import Element, RawBlock, Text
 from ..xml.values import format_value
 from .extras import OPTICAL
 from .lowering import names_of
@@ -653,15 +653,10 @@ def holds_pose(element: Element) -> bool:
     words: tuple[str, ...] = ("pose", "origin", "xyz", "rpy")
     if isinstance(element, RawBlock):
         words += ("pos", "quat", "euler", "axisangle", "zaxis", "fromto", "axis", "gravity")
-    pending: list[Node] = [element]
-    while pending:
-        node = pending.pop()
-        if isinstance(node, (Text, Comment)):
-            continue
-        if node.name in words or any(name in words for name in node.attributes):
-            return True
-        pending += node.children
-    return False
+    return any(
+        inner.name in words or any(name in words for name in inner.attributes)
+        for inner in element.iter()
+    )
 
 
 def what_it_says(node: Node) -> object:

@@ -199,13 +199,11 @@ def include_xml(
     try:
         if is_xacro:
             if node.own_prefix is not None:
+                from ..xacro.symbol_table import ARGUMENT, definition_of
                 from .argument_values import warn_of_own_prefix
 
-                names = [
-                    format_value(element.attributes.get("name"))
-                    for element in root.elements()
-                    if element.name == "xacro:arg"
-                ]
+                found = filter(None, map(definition_of, root.elements()))
+                names = [each.name for each in found if each.kind == ARGUMENT]
                 warn_of_own_prefix(node, node.own_prefix, names, source, interpreter.reporter)
             root = _expanded(interpreter, root, passed, node, namespace, frame)
             mark_included(root, "")

@@ -14,7 +14,8 @@ from .python import PythonCode, Template
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Iterable, Iterator, Sequence
+    from typing import Any
 
     from ..diagnostics import Diagnostic
     from ..yaml.comments import Comment as YamlComment
@@ -642,3 +643,67 @@ class Parsed:
         if self.errors:
             raise YamaroError(self.errors)
         return self.document
+
+
+# --- the walk through a syntax tree -----------------------------------------------------------
+
+
+CHILDREN: dict[type, Callable[[Any], Iterable[object]]] = {
+    Document: lambda node: (
+        *node.imports,
+        *(each.default for each in node.arguments or ()),
+        node.robot_name,
+        *node.sections,
+        *node.model,
+        node.root,
+    ),
+    Template: lambda node: node.parts,
+    list: lambda node: node,
+    ListValue: lambda node: node.items,
+    DictValue: lambda node: [each for pair in node.pairs for each in pair],
+    Body: lambda node: node.statements,
+    TextContent: lambda node: (node.value,),
+    ListContent: lambda node: (node.value,),
+    ElementNode: lambda node: (node.name, *node.attributes, node.content),
+    Attribute: lambda node: (node.name, node.value),
+    TextNode: lambda node: (node.value,),
+    CommentNode: lambda node: (node.value,),
+    PrintNode: lambda node: (node.value,),
+    PartNode: lambda node: (node.body,),
+    RobotWordNode: lambda node: node.items,
+    RobotWordItem: lambda node: (node.content, node.body, node.include),
+    CallNode: lambda node: (
+        *(each.value for each in node.arguments),
+        *(each.block for each in node.arguments),
+    ),
+    InsertNode: lambda node: (node.default,),
+    DynamicNode: lambda node: (node.key, node.content),
+    IfNode: lambda node: [each for branch in node.branches for each in branch],
+    ForNode: lambda node: (node.iterable, node.body),
+    IncludeNode: lambda node: (
+        node.path,
+        node.namespace,
+        *(each.value for each in node.arguments),
+    ),
+    VariablesNode: lambda node: node.entries,
+    VariableEntry: lambda node: (node.name, *node.values),
+    FunctionsNode: lambda node: node.functions,
+    FunctionNode: lambda node: (*(each.default for each in node.parameters), node.body),
+    ProcessNode: lambda node: (node.code,),
+}
+"""What is directly in a node of each type, in order; None for what it does not have."""
+
+
+def children(node: object) -> Iterable[object]:
+    """Return what is directly in a node of the syntax tree, in order."""
+    found = CHILDREN.get(type(node))
+    return () if found is None else found(node)
+
+
+def walk(node: object) -> Iterator[object]:
+    """Yield a node and all that is in it, in order; of what is static, the elements at its top."""
+    pending = [node]
+    while pending:
+        each = pending.pop()
+        yield each
+        pending += reversed([*children(each)])

@@ -41,6 +41,7 @@ from .nodes import (
     Statement,
     TextContent,
     Value,
+    walk,
 )
 from .python import PythonCode, Template, parse_template
 from .signatures import (
@@ -769,25 +770,13 @@ def _letters(name: str) -> str:
 
 
 def _elements_called(names: Container[str], document: Document) -> list[Element | ElementNode]:
-    """Return the elements of a syntax tree that have one of these names alone, in order.
-
-    It looks at all that statements hold, whatever their kind: that is slow, and rarely asked for.
-    """
+    """Return the elements of a syntax tree that have one of these names alone, in order."""
     found: dict[int, Element | ElementNode] = {}
-    seen: set[int] = set()
-    pending: list[object] = [document.model, document.sections, document.root]
-    while pending:
-        each = pending.pop()
-        if isinstance(each, (list, tuple)):
-            pending += each
-        elif (
-            type(each).__module__ in (Body.__module__, Element.__module__) and id(each) not in seen
-        ):
-            seen.add(id(each))
-            if isinstance(each, (Element, ElementNode)) and not each.verbatim:
-                if each.name in names and not each.attributes:
+    for node in walk(document):
+        if isinstance(node, (Element, ElementNode)):
+            for each in node.iter() if isinstance(node, Element) else (node,):
+                if each.name in names and not each.attributes and not each.verbatim:
                     found.setdefault(each.span.start, each)
-            pending += [getattr(each, name, None) for name in vars(type(each))["__slots__"]]
     return [found[start] for start in sorted(found)]
 
 

@@ -8,35 +8,21 @@ from __future__ import annotations
 
 from ..source import Span
 from .nodes import (
+    CHILDREN,
     LOCAL,
-    Attribute,
     Body,
     CallNode,
-    CommentNode,
-    DictValue,
     Document,
-    DynamicNode,
-    ElementNode,
     ForNode,
     FunctionNode,
-    FunctionsNode,
-    IfNode,
     ImportNode,
     IncludeNode,
     InsertNode,
-    ListContent,
-    ListValue,
-    PartNode,
-    PrintNode,
     ProcessNode,
-    RobotWordItem,
-    RobotWordNode,
-    TextContent,
-    TextNode,
     VariableEntry,
-    VariablesNode,
+    children,
 )
-from .python import PythonCode, Template
+from .python import PythonCode
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -157,54 +143,6 @@ class Include:
         self.context = context
 
 
-_CHILDREN: dict[type, Callable[[Any], Iterable[object]]] = {
-    Document: lambda node: (
-        *node.imports,
-        *(each.default for each in node.arguments or ()),
-        node.robot_name,
-        *node.sections,
-        *node.model,
-        node.root,
-    ),
-    Template: lambda node: node.parts,
-    list: lambda node: node,
-    ListValue: lambda node: node.items,
-    DictValue: lambda node: [each for pair in node.pairs for each in pair],
-    Body: lambda node: () if node.is_static else node.statements,
-    TextContent: lambda node: (node.value,),
-    ListContent: lambda node: (node.value,),
-    ElementNode: lambda node: (node.name, *node.attributes, node.content),
-    Attribute: lambda node: (node.name, node.value),
-    TextNode: lambda node: (node.value,),
-    CommentNode: lambda node: (node.value,),
-    PrintNode: lambda node: (node.value,),
-    PartNode: lambda node: (node.body,),
-    RobotWordNode: lambda node: node.items,
-    RobotWordItem: lambda node: (node.content, node.body, node.include),
-    CallNode: lambda node: [each.value for each in node.arguments],
-    InsertNode: lambda node: (node.default,),
-    DynamicNode: lambda node: (node.key, node.content),
-    IfNode: lambda node: [each for branch in node.branches for each in branch],
-    ForNode: lambda node: (node.iterable, node.body),
-    IncludeNode: lambda node: (
-        node.path,
-        node.namespace,
-        *(each.value for each in node.arguments),
-    ),
-    VariablesNode: lambda node: node.entries,
-    VariableEntry: lambda node: (node.name, *node.values),
-    FunctionsNode: lambda node: node.functions,
-    FunctionNode: lambda node: (*(each.default for each in node.parameters), node.body),
-    ProcessNode: lambda node: (node.code,),
-}
-
-
-def children(node: object) -> Iterable[object]:
-    """Return what is directly in a node of the syntax tree, in order, without blocks of a call."""
-    found = _CHILDREN.get(type(node))
-    return () if found is None else found(node)
-
-
 class SymbolTable:
     """The names of a file.
 
@@ -226,12 +164,16 @@ class SymbolTable:
         self._codes: list[tuple[PythonCode, Context]] = []
         self._uses: list[Use] = []
         self._is_sorted = False
-        self._pending: list[tuple[object, Context]] = [(document, self.file)]
-        while self._pending:
-            node, context = self._pending.pop()
+        self._blocks: dict[int, Context] = {}
+        """The contexts of blocks, by the identities of their bodies."""
+        pending: list[tuple[object, Context]] = [(document, self.file)]
+        while pending:
+            node, context = pending.pop()
             visit = _VISITS.get(type(node))
-            inner = visit(self, node, context) if visit is not None else None
-            self._visit_later(children(node), inner or context)
+            if visit is not None:
+                context = visit(self, node, context) or context
+            inner = [each for each in children(node) if type(each) in _VISITED]
+            pending += [(each, context) for each in reversed(inner)]
 
     @property
     def uses(self) -> list[Use]:
@@ -289,9 +231,6 @@ class SymbolTable:
 
     # --- the walk ---------------------------------------------------------------------------
 
-    def _visit_later(self, nodes: Iterable[object], context: Context) -> None:
-        self._pending += [(node, context) for node in reversed([*nodes]) if type(node) in _VISITED]
-
     def _declare(
         self,
         name: str,
@@ -337,10 +276,12 @@ class SymbolTable:
             if argument.block is not None:
                 own = argument.span
                 end = own.end if argument.node is None else max(own.end, argument.node.end)
-                block = Context(BLOCK, context, own.start, end)
+                block = self._blocks[id(argument.block)] = Context(BLOCK, context, own.start, end)
                 block.callee = node.name
                 self.contexts.append(block)
-                self._visit_later([argument.block], block)
+
+    def _body(self, node: Body, context: Context) -> Context:
+        return self._blocks.get(id(node), context)
 
     def _insert(self, node: InsertNode, context: Context) -> None:
         span = _name_in(node.span, node.name)
@@ -391,6 +332,7 @@ class SymbolTable:
 
 _BY_OTHERS = (IMPORTED, ASSIGNED, NAMESPACE)
 _VISITS: dict[type, Callable[[SymbolTable, Any, Context], Context | None]] = {
+    Body: SymbolTable._body,
     ImportNode: SymbolTable._import,
     Document: SymbolTable._arguments,
     PythonCode: SymbolTable._code,
@@ -402,8 +344,8 @@ _VISITS: dict[type, Callable[[SymbolTable, Any, Context], Context | None]] = {
     FunctionNode: SymbolTable._function,
     ProcessNode: SymbolTable._process,
 }
-"""The methods that note what a node declares or uses; of a function they return its context."""
-_VISITED = frozenset((*_VISITS, *_CHILDREN))
+"""The methods that note what a node declares or uses; they return the context in it, if any."""
+_VISITED = _VISITS.keys() | CHILDREN.keys()
 
 
 def _name_in(span: Span, name: str) -> Span:

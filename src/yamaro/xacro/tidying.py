@@ -19,18 +19,14 @@ if TYPE_CHECKING:
 
 def tidy(root: Element) -> None:
     """Tidy the children of an element, and of all in it."""
-    pending = [root]
-    for element in pending:
+    for element in root.iter():
         children = element.children
         if not children or (len(children) == 1 and type(children[0]) is Text):
             continue
         kept = element.children = []
         last: Node | None = None
         for child in children:
-            if type(child) is Element:
-                kept.append(child)
-                pending.append(child)
-            elif not isinstance(child, Text):
+            if not isinstance(child, Text):
                 kept.append(child)
             elif _is_space(child):
                 continue

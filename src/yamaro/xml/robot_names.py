@@ -9,7 +9,7 @@ from .values import format_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Sequence
+    from collections.abc import Callable, Sequence
 
 _BODIES = ("link", "joint")
 _REFERS = re.compile(
@@ -41,7 +41,8 @@ class RobotNames:
     def __init__(self, elements: Sequence[Element]) -> None:
         """Gather the names of links and joints, and of what devices these elements hold."""
         self._bodies = {_name(element) for element in elements if element.name in _BODIES}
-        self._devices = {_name(each) for each in _below(elements) if each.name in _DEVICES}
+        below = [inner for element in elements for inner in element.iter()]
+        self._devices = {_name(each) for each in below if each.name in _DEVICES}
 
     def rename(self, elements: Sequence[Element], change: Callable[[str], str]) -> None:
         """Change the names in some elements and in what is below them, wherever they stand.
@@ -50,8 +51,9 @@ class RobotNames:
             elements: what is changed.
             change: gives the new name for one of the names that were gathered.
         """
-        for element in _below(elements):
-            self._rename(element, change)
+        for element in elements:
+            for inner in element.iter():
+                self._rename(inner, change)
 
     def _rename(self, element: Element, change: Callable[[str], str]) -> None:
         for name, value in element.attributes.items():
@@ -83,15 +85,6 @@ def _renamed(text: str, known: set[str], change: Callable[[str], str]) -> str:
     if not any(word in known for word in words):
         return text
     return " ".join([change(word) if word in known else word for word in words])
-
-
-def _below(elements: Sequence[Element]) -> Iterator[Element]:
-    """Give elements and all that is below them."""
-    pending = list(elements)
-    while pending:
-        element = pending.pop()
-        yield element
-        pending += element.elements()
 
 
 def _name(element: Element) -> str:

@@ -12,7 +12,7 @@ import re
 
 from ....diagnostics import YamaroError
 from ....xacro.faults import Fault
-from ....xacro.statements import parse_parameters
+from ....xacro.symbol_table import given_in
 from ....xacro.templates import Expression, Substitution, guess_value, parse_template
 from ....xml.tree import Element
 from ....xml.values import format_value
@@ -69,10 +69,12 @@ class Choices:
         self._literal_names: dict[str, None] = {}
         """The names of files in Python, such as the values of a dict."""
         for root in roots.values():
+            for element, name, text in given_in(root):
+                marked = MARK + name if element.name == "xacro:arg" else name
+                if text or element.name != "xacro:macro":  # not of parameters without a default
+                    self.texts.setdefault(marked, []).append(text)
             for element in root.iter():
                 given = {name: format_value(value) for name, value in element.attributes.items()}
-                for name, text in _given_by(element, given):
-                    self.texts.setdefault(name, []).append(text)
                 texts = [
                     (text, element.value_span(name)) for name, text in given.items() if "$" in text
                 ]
@@ -382,20 +384,6 @@ def _names_of_files(text: str) -> list[str]:
     return [name for name in names if "$" in name and name.endswith(_FILES)]
 
 
-def _given_by(element: Element, given: Mapping[str, str]) -> Iterator[tuple[str, str]]:
-    """Return the names that an element gives values, with their texts."""
-    if element.name == "xacro:arg":
-        yield MARK + given.get("name", ""), given.get("default", "")
-    elif element.name == "xacro:property":
-        yield given.get("name", ""), given.get("value", given.get("default", ""))
-    elif element.name == "xacro:macro":
-        for own in parse_parameters(given.get("params", "")):
-            if own.default:
-                yield own.name, own.default
-    elif element.name.startswith("xacro:"):
-        yield from given.items()
-
-
 def parsed(text: str) -> Template | None:
     """Return a text in parts; None if it is malformed."""
     try:
@@ -622,7 +610,12 @@ class Truths:
         self._arguments = {f"$(arg {name})" for name in arguments}
         self.names: set[str] = set()
         self.flags: set[str] = set()
-        given = [pair for root in roots for pair in _given_in(root)]
+        given = [
+            (name, text)
+            for root in roots
+            for element, name, text in given_in(root)
+            if element.name != "xacro:arg"
+        ]
         count = -1
         while len(self.names) > count:
             count = len(self.names)
@@ -660,16 +653,3 @@ class Truths:
             case ast.IfExp(_, first, second):
                 return self._may_be(first) or self._may_be(second)
         return False
-
-
-def _given_in(root: Element) -> Iterator[tuple[str, str]]:
-    """Return the names that properties, calls and defaults give values, with their texts."""
-    for element in root.iter():
-        given = {name: format_value(value) for name, value in element.attributes.items()}
-        if element.name == "xacro:property":
-            yield given.get("name", ""), given.get("value", given.get("default", ""))
-        elif element.name == "xacro:macro":
-            for own in parse_parameters(given.get("params", "")):
-                yield own.name, own.default or ""
-        elif element.name.startswith("xacro:"):
-            yield from given.items()

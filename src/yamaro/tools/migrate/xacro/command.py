@@ -20,7 +20,7 @@ from ..document import Body
 from ..urdf import build_allowing, ignore
 from ..writing import write_document
 from .contents import Contents, Placing
-from .layout import ALL, ASKED, Layout
+from .layout import ALL, ASKED, Layout, Plan
 from .names import Callees
 from .parts import Solids
 from .program import XacroProgram
@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from ....files.readable import Reach
     from ....model.compare import Difference
     from ....policy import Limits
+    from ....result import Build
     from ....source import Span
     from ....xml.tree import Element
     from .robot_files import Run
@@ -85,25 +86,10 @@ class XacroMigration:
         return bool(self.faults or self.differences)
 
 
-def migrate_program(
-    program: XacroProgram,
-    wanted: Collection[str] = (),
-    *,
-    with_section: bool = True,
-    with_control: bool = True,
-    borrows: bool = True,
-) -> XacroMigration:
-    """Return sources that make the same robot, for the arguments given at least.
-
-    Args:
-        program: the robot.
-        wanted: the packages whose files become sources even if they could stay as they are.
-        with_section: whether arguments are declared in a section, if that is possible.
-        with_control: whether blocks for ros2_control are written in words, if that is possible.
-        borrows: whether macros of other packages are called where they are, if they can be.
-    """
+def migrate_program(program: XacroProgram, plan: Plan) -> XacroMigration:
+    """Return sources that make the same robot, for the arguments given at least."""
     contents = Contents(program)
-    layout = Layout(program, wanted, borrows=borrows)
+    layout = Layout(program, plan)
     migration = XacroMigration(layout, layout.outputs[program.main], program.result)
     callees = Callees(program, layout.theirs)
     placing = Placing(() if program.exact else contents.in_parts())
@@ -147,7 +133,7 @@ def migrate_program(
     sources = {output: sections for output, (sections, _) in written.items()}
     main = migration.main
     tidy(sources, main, program)
-    migration.has_section = with_section and declare_arguments(sources, main, program)
+    migration.has_section = plan.has_section and declare_arguments(sources, main, program)
     shown = program.shown_as_values()
     migration.texts = [
         name
@@ -157,7 +143,7 @@ def migrate_program(
     ]
     truths = truths_declared(sources, main) if migration.has_section else set()
     simplify_comparisons(sources.values(), truths)
-    migration.has_control = with_control and use_control(sources[main])
+    migration.has_control = plan.has_control and use_control(sources[main])
     migration.origins = {path: name for path, name in layout.outputs.items() if name in sources}
     for output, sections in sources.items():
         migration.files[output] = write_document(sections, written[output][1])
@@ -296,92 +282,65 @@ def migrate_robot(
     """
     host = DiskHost(limits, packages, finder=finder, reach=reach)
     given = dict(argument.split(":=", 1) for argument in arguments)
-    return run_on_deep_stack(lambda: _migrate(source, folder, host, given, wanted, exact=exact))
 
+    def migrate() -> XacroMigration:
+        program = XacroProgram(source, host, given, exact=exact)
+        expected = expanded_by_xacro(source.path, given, host)
+        judge = Judge(program, folder, host, expected or program.result)
+        migration = judge.best(Plan(wanted))
+        if migration.is_wrong and migration.has_control:
+            migration = judge.best(Plan(wanted, has_control=False))
+        if migration.is_wrong and migration.has_section:
+            migration = judge.best(Plan(wanted, has_section=False, has_control=False))
+        migration.is_compared_with_xacro = expected is not None
+        return migration
 
-def _migrate(
-    source: Source,
-    folder: str,
-    host: DiskHost,
-    given: Mapping[str, str],
-    wanted: Collection[str],
-    *,
-    exact: bool,
-) -> XacroMigration:
-    program = XacroProgram(source, host, given, exact=exact)
-    expected = expanded_by_xacro(source.path, given, host)
-    judge = Judge(folder, host, given, expected or program.result, exact=exact)
-    migration = judge.best(program, wanted)
-    if migration.is_wrong and migration.has_control:
-        migration = judge.best(program, wanted, with_control=False)
-    if migration.is_wrong and migration.has_section:
-        migration = judge.best(program, wanted, with_section=False, with_control=False)
-    migration.is_compared_with_xacro = expected is not None
-    return migration
+    return run_on_deep_stack(migrate)
 
 
 class Judge:
     """Compares what sources make, which are not written yet, with what xacro makes."""
 
     def __init__(
-        self,
-        folder: str,
-        host: DiskHost,
-        given: Mapping[str, str],
-        expected: Element,
-        *,
-        exact: bool,
+        self, program: XacroProgram, folder: str, host: DiskHost, expected: Element
     ) -> None:
-        """Expect this robot for the arguments given."""
+        """Expect a robot of a program, whose sources are to be in a folder."""
+        self._program = program
         self._folder = folder
         self._host = host
-        self._given = given
         self._expected = expected
-        self._exact = exact
         self._programs: dict[tuple[object, ...], Program] = {}
 
-    def best(
-        self,
-        program: XacroProgram,
-        wanted: Collection[str],
-        *,
-        with_section: bool = True,
-        with_control: bool = True,
-    ) -> XacroMigration:
-        """Return the sources of a robot that make it, or the first ones if none do.
+    def best(self, plan: Plan) -> XacroMigration:
+        """Return the sources by a plan that make the robot, or the first ones if none do.
 
         They are compared for all arguments that the robot was expanded with.
         """
-        words = {"with_section": with_section, "with_control": with_control}
-        migration = first = self._tried(program, wanted, words)
-        if first.layout.borrowed and not self._is_right(program, first):
-            words["borrows"] = False
-            migration = first = self._tried(program, wanted, words)
+        program = self._program
+        others = program.runs.done[1:]
+        migration = first = self._tried(program, plan)
+        if first.layout.borrowed and (
+            first.is_wrong or any(self.differences_with(run, first) for run in others)
+        ):
+            plan = plan._replace(borrows=False)
+            migration = first = self._tried(program, plan)
         if first.is_wrong and first.layout.theirs:
-            migration = self._tried(program, (ALL,), words)
-        if migration.is_wrong and len(program.runs.done) > 1:
-            migration = self._tried(program.alone(), wanted, words)
+            migration = self._tried(program, plan._replace(wanted=(ALL,)))
+        if migration.is_wrong and others:
+            migration = self._tried(program.alone(), plan)
         if migration.is_wrong:
             migration = first
         if not migration.faults:
-            for run in program.runs.done[1:]:
+            for run in others:
                 migration.differences += self.differences_with(run, migration)
         return migration
 
-    def _is_right(self, program: XacroProgram, migration: XacroMigration) -> bool:
-        """Return whether sources make the robot with all arguments that it was expanded with."""
-        return not migration.is_wrong and not any(
-            self.differences_with(run, migration) for run in program.runs.done[1:]
-        )
-
-    def _tried(
-        self, program: XacroProgram, wanted: Collection[str], words: Mapping[str, bool]
-    ) -> XacroMigration:
+    def _tried(self, program: XacroProgram, plan: Plan) -> XacroMigration:
         """Return the sources of a robot, with their faults and differences."""
-        migration = migrate_program(program, wanted, **words)
+        migration = migrate_program(program, plan)
         try:
-            built, migration.allowed = self._built(migration, self._given)
-            migration.differences = compare(self._expected, built, exact=self._exact)
+            built, migration.allowed = self._built(migration, program.given)
+            migration.differences = compare(self._expected, built, exact=program.exact)
             migration.defaults = count_defaults(self._expected, built)
         except YamaroError as error:
             migration.faults = [each for each in error.diagnostics if each.severity != WARNING]
@@ -395,7 +354,7 @@ class Judge:
         except YamaroError as error:
             why = f"it has an error: {error.diagnostics[0].message}"
             return [Difference((f"with {shown}",), why)]
-        found = compare(run.result, built, exact=self._exact)
+        found = compare(run.result, built, exact=self._program.exact)
         return [Difference((f"with {shown}", *each.path), each.message) for each in found]
 
     def _built(
@@ -403,25 +362,22 @@ class Judge:
     ) -> tuple[Element, list[str]]:
         """Return what the sources make, and the codes that have to be allowed for it."""
         given = [f"{name}:={value}" for name, value in arguments.items()]
-        built, codes = build_allowing(
-            lambda codes: self._program(migration, codes).build(
-                command_line=given, on_message=ignore, meshes="keep"
-            )
-        )
-        return built.root, codes
 
-    def _program(self, migration: XacroMigration, codes: Sequence[str]) -> Program:
-        key = (id(migration), *codes)
-        if key not in self._programs:
-            files = migration.files.items()
-            texts = {os.path.join(self._folder, name): text for name, text in files}
-            self._programs[key] = Program(
-                os.path.join(self._folder, migration.main),
-                loader=OverlayLoader(texts, FileLoader(self._host.limits)),
-                packages=self._host.found,
-                allow=codes,
-            )
-        return self._programs[key]
+        def build(codes: Sequence[str]) -> Build:
+            key = (id(migration), *codes)
+            if key not in self._programs:
+                files = migration.files.items()
+                texts = {os.path.join(self._folder, name): text for name, text in files}
+                self._programs[key] = Program(
+                    os.path.join(self._folder, migration.main),
+                    loader=OverlayLoader(texts, FileLoader(self._host.limits)),
+                    packages=self._host.found,
+                    allow=codes,
+                )
+            return self._programs[key].build(command_line=given, on_message=ignore, meshes="keep")
+
+        built, codes = build_allowing(build)
+        return built.root, codes
 
 
 def expanded_by_xacro(path: str, arguments: Mapping[str, str], host: DiskHost) -> Element | None:

@@ -6,10 +6,10 @@ a name there may be, whatever the arguments are, the macros and all their calls 
 
 from __future__ import annotations
 
+from ....xacro.symbol_table import assigned_in, called_by, names_in, used_in
 from ....xml.tree import Element
 from ....xml.values import format_value
 from ..elements import name_of
-from .names import names_in, used_in
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -64,7 +64,7 @@ class Contents:
                 called = format_value(element.attributes.get("macro"))
                 self._calls.setdefault(called, []).append((element, around))
             elif element.name.startswith("xacro:"):
-                self._calls.setdefault(_called(element), []).append((element, around))
+                self._calls.setdefault(called_by(element), []).append((element, around))
             self._gather(element, known.get(id(element), around), known)
 
     # --- what is made ---------------------------------------------------------------------------
@@ -111,7 +111,7 @@ class Contents:
             return self._inserted(name_of(node), around)
         if name == "xacro:property":
             return {}
-        macros = self._macros.get(_called(node))
+        macros = self._macros.get(called_by(node))
         if name in _UNKNOWN or macros is None:
             raise UnknownContent
         return _any_of([self._once(macro, macro.element.children, macro) for macro in macros])
@@ -163,15 +163,10 @@ class Contents:
         """
         found: dict[str, set[str]] = {}
         for name, macros in self._macros.items():
-            inside = [inner for macro in macros for inner in macro.element.iter()]
-            scopes = {
-                name_of(inner): inner.attributes["scope"]
-                for inner in inside
-                if inner.name == "xacro:property" and "scope" in inner.attributes
-            }
-            if scopes:
-                found.setdefault(name, set()).update(scopes)
-            own = {each for each, scope in scopes.items() if scope != "parent"}
+            assigned = set().union(*(assigned_in(macro.element) for macro in macros))
+            if assigned:
+                found.setdefault(name, set()).update(assigned)
+            own = set().union(*(assigned_in(macro.element, "global") for macro in macros))
             if own:
                 # add global names to all that may call a macro
                 pending, seen = [name], set[str]()
@@ -191,7 +186,7 @@ class Contents:
 
     def _is_setter(self, node: Element) -> bool:
         return node.name in ("xacro:property", "xacro:call", "xacro:include") or (
-            node.name.startswith("xacro:") and _called(node) in self._setters
+            node.name.startswith("xacro:") and called_by(node) in self._setters
         )
 
     def first_setters(self, link: Element) -> tuple[int, set[str]]:
@@ -204,7 +199,7 @@ class Contents:
         for index, child in enumerate(link.children):
             if not isinstance(child, Element):
                 continue
-            called = _called(child)
+            called = called_by(child)
             if called not in self._setters or child.elements() or child.name == "xacro:call":
                 break
             count = index + 1
@@ -252,7 +247,7 @@ class Contents:
             for name in self._macros:
                 self._put_macro_in_part(name)
         elif node.name.startswith("xacro:"):
-            self._put_macro_in_part(_called(node))
+            self._put_macro_in_part(called_by(node))
 
     def _put_macro_in_part(self, name: str) -> None:
         if name in self._in_parts or name not in self._macros:
@@ -284,11 +279,6 @@ _OF_PARTS = frozenset(("visual", "collision", "inertial", "origin", "inertia", "
 _UNKNOWN = frozenset(
     f"xacro:{name}" for name in ("property", "element", "attribute", "include", "arg", "macro")
 )
-
-
-def _called(element: Element) -> str:
-    """Return the name of the macro that a tag calls, without that of its namespace."""
-    return element.name.removeprefix("xacro:").rpartition(".")[2]
 
 
 _PLAIN = frozenset(("xacro:if", "xacro:unless", "xacro:insert_block"))

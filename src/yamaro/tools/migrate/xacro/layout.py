@@ -8,20 +8,22 @@ macro that others call with more than texts, a property that others read, and th
 from __future__ import annotations
 
 import os
+from collections.abc import Collection
+from typing import NamedTuple
 
 from ....files.packages import manifest_name
 from ....syntax.names import is_identifier
-from ....xacro.statements import parse_parameters
+from ....xacro.symbol_table import ARGUMENT, BLOCK, MACRO, definition_of, used_in
 from ....xml.tree import Element
 from ....xml.values import format_value
 from ..elements import name_of
 from .includes import Borrowed, calls_of, computed_name, source_name
-from .names import common_folder, used_in
+from .names import common_folder
 from .program import XacroProgram
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Collection, Iterable
+    from collections.abc import Iterable
 
 _WORDS = ("path", "namespace")
 """The words of an include, which are not arguments."""
@@ -29,6 +31,19 @@ ALL = "*"
 """Means every package."""
 ASKED = "asked for"
 """Why files become sources whose packages were named."""
+
+
+class Plan(NamedTuple):
+    """How sources are written: all at first, and less where they make another robot."""
+
+    wanted: Collection[str] = ()
+    """The packages whose files become sources even if they could stay as they are, or ALL."""
+    has_section: bool = True
+    """Whether arguments are declared in a section, if that is possible."""
+    has_control: bool = True
+    """Whether blocks for ros2_control are written in words, if that is possible."""
+    borrows: bool = True
+    """Whether macros of other packages are called where they are, if they can be."""
 
 
 class Layout:
@@ -41,17 +56,9 @@ class Layout:
         borrowed: the macros of other packages that are called where they are, by name.
     """
 
-    def __init__(
-        self, program: XacroProgram, wanted: Collection[str], *, borrows: bool = True
-    ) -> None:
-        """Lay out a robot.
-
-        Args:
-            program: the robot.
-            wanted: the packages whose files become sources as well, or ALL.
-            borrows: whether macros of other packages are called where they are, if they can be.
-        """
-        self._borrows = borrows
+    def __init__(self, program: XacroProgram, plan: Plan) -> None:
+        """Lay out a robot by a plan."""
+        self._borrows = plan.borrows
         self.borrowed: dict[str, Borrowed] = {}
         self._program = program
         self._packages: dict[str, tuple[str, str]] = {}
@@ -69,7 +76,7 @@ class Layout:
             package = self.package_of(path)
             if package != self._own and self._may_be_found(*package):
                 foreign[path] = package
-                if package[0] in wanted or ALL in wanted:
+                if package[0] in plan.wanted or ALL in plan.wanted:
                     self.brought[path] = ASKED
         # bring along the files of other packages that cannot be included alone
         names = {own: _Names(self._program, own) for own in self._program.roots}
@@ -299,18 +306,14 @@ class _Names:
         self.read = used_in(root) | program.forwarded_in(root)
         self.arguments = program.arguments_read(root)
         for element in root.iter():
-            name = name_of(element)
-            if element.name == "xacro:macro":
-                self.macros.add(name.removeprefix("xacro:"))
+            own = definition_of(element)
+            if own is not None:
+                sets = {MACRO: self.macros, BLOCK: self.blocks, ARGUMENT: self.declared}
+                sets.get(own.kind, self.defined).add(own.name)
                 macro = program.definitions.get((path, element.span.start))
-                if macro is not None:
+                if own.kind == MACRO and macro is not None:
                     self.parameters.update(macro.values())
-                    self.blocks.update(own.lstrip("*") for own in macro.blocks())
-            elif element.name == "xacro:property":
-                is_block = "value" not in element.attributes and "default" not in element.attributes
-                (self.blocks if is_block else self.defined).add(name)
-            elif element.name == "xacro:arg":
-                self.declared.add(name)
+                    self.blocks.update(each.lstrip("*") for each in macro.blocks())
             elif element.name == "xacro:call":
                 self.calls.add(format_value(element.attributes.get("macro")))
                 self.has_computed_calls |= "$" in format_value(element.attributes.get("macro"))
@@ -326,9 +329,9 @@ class _Names:
             if element.name == "xacro:insert_block" and name not in own:
                 self.inserted.add(name)
             blocks = own
-            if element.name == "xacro:macro":
-                listed = parse_parameters(format_value(element.attributes.get("params", "")))
-                blocks = {each.name.lstrip("*") for each in listed if each.is_block}
+            found = definition_of(element)
+            if found is not None and found.kind == MACRO:
+                blocks = {each.name.lstrip("*") for each in found.parameters() if each.is_block}
             self._find_inserted(element, blocks)
 
     @classmethod

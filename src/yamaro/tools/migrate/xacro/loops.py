@@ -17,12 +17,12 @@ import ast
 import re
 
 from ....syntax.names import is_identifier
+from ....xacro.symbol_table import assigned_in, properties_in, used_in
 from ....xacro.templates import guess_value
 from ....xml.tree import Comment, Element, Text
 from ....xml.values import format_value
 from ..document import Body, Entry
 from ..elements import has_text, name_of, tidy_text
-from .names import used_in
 from .python import CannotMigrate
 
 TYPE_CHECKING = False
@@ -229,12 +229,7 @@ class _Reader:
         self.before, self.after = nodes[:position], nodes[position + 1 :]
         self._properties = [own for own in inside if own.name == "xacro:property"]
         self._defined = {name_of(own) for own in self._properties}
-        self._outside = {
-            name_of(own)
-            for root in program.roots.values()
-            for own in root.iter()
-            if own.name == "xacro:property" and "scope" in own.attributes
-        }
+        self._outside = set().union(*map(assigned_in, program.roots.values()))
         self._check_names()
         self.changed = self._changes()
 
@@ -405,11 +400,7 @@ class _Reader:
         values = [self._program.values_of_arguments.get(name, "")]
         values += [format_value(own.attributes.get(name, "")) for own in self._calls()]
         for root in self._program.roots.values():
-            values += [
-                format_value(own.attributes.get("value", ""))
-                for own in root.iter()
-                if own.name == "xacro:property" and own.attributes.get("name") == name
-            ]
+            values += [own.value for own in properties_in(root) if own.name == name]
         return values
 
     def _calls(self) -> list[Element]:

@@ -7,21 +7,32 @@ to be for others; and an argument is a variable.
 
 from __future__ import annotations
 
-import ast
 import os
 import re
 
 from ....syntax.names import is_identifier
-from ....xacro.faults import Fault
 from ....xacro.statements import Parameter
-from ....xacro.templates import Expression, Substitution, parse_template
+from ....xacro.symbol_table import (
+    PROPERTY,
+    arguments_in,
+    assigned_in,
+    called_by,
+    defined_in,
+    definition_of,
+    macros_inside,
+    names_in,
+    properties_in,
+    texts_of,
+    used_in,
+    words_of_arguments,
+    words_read,
+)
 from ....xml.tree import Element
 from ....xml.values import format_value
-from ..elements import name_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Collection, Container, Iterable, Iterator, Mapping
+    from collections.abc import Collection, Container, Iterable, Mapping
 
     from ....xml.tree import Element
     from .program import Macro, XacroProgram
@@ -34,92 +45,9 @@ def camel(name: str) -> str:
     return joined if joined[:1].isalpha() else f"F{joined}"
 
 
-def defined_in(root: Element, *, nested: bool = False) -> set[str]:
-    """Return the properties defined in an element, those of macros in it only if `nested`."""
-    names = set()
-    pending = [root]
-    while pending:
-        element = pending.pop()
-        if element.name == "xacro:property":
-            names.add(name_of(element))
-        if element.name != "xacro:macro" or element is root or nested:
-            pending += element.elements()
-    return names
-
-
-def texts_in(root: Element) -> Iterator[str]:
-    """Return the values of attributes in an element, and its texts."""
-    for element in root.iter():
-        yield from map(format_value, element.attributes.values())
-        yield element.text()
-
-
-def outside_expressions(text: str) -> str:
-    """Return what of a text is not Python: without `${…}`, but with the texts in it."""
-    return re.sub(
-        r"\$\{([^}]*)\}", lambda found: " ".join(re.findall(r"'[^']*'|\"[^\"]*\"", found[1])), text
-    )
-
-
-def used_in(root: Element, without: Container[int] = ()) -> set[str]:
-    """Return the names in the expressions of an element, except elements of some identities."""
-    names: set[str] = set()
-    for element in root.iter(without):
-        for text in (*map(format_value, element.attributes.values()), element.text()):
-            names |= names_in(text)
-    return names
-
-
-def names_in(text: str) -> set[str]:
-    """Return the names that the expressions of a text read."""
-    names: set[str] = set()
-    for tree in _expressions_in(text):
-        found = [node for node in ast.walk(tree) if isinstance(node, ast.Name)]
-        bound = {node.id for node in found if isinstance(node.ctx, ast.Store)}
-        bound |= {node.arg for node in ast.walk(tree) if isinstance(node, ast.arg)}
-        names |= {node.id for node in found} - bound
-    return names
-
-
-def _expressions_in(text: str) -> Iterator[ast.expr]:
-    """Yield the expressions in a text, those that are Python."""
-    for expression in re.findall(r"\$\{([^}]*)\}", text):
-        try:
-            yield ast.parse(re.sub(r"\$\([^)]*\)", "0", expression).strip(), mode="eval").body
-        except (SyntaxError, ValueError):
-            continue
-
-
 def common_folder(paths: list[str]) -> str:
     """Return the deepest folder that holds all of the files."""
     return os.path.commonpath([os.path.dirname(path) for path in paths])
-
-
-def computed_with(root: Element) -> set[str]:
-    """Return the names that conditions are made of, or that expressions take for more than texts.
-
-    A name that stands alone in an expression, or is compared with a text, is not.
-    """
-    names: set[str] = set()
-    for element in root.iter():
-        is_condition = element.name in ("xacro:if", "xacro:unless")
-        for text in (*map(format_value, element.attributes.values()), element.text()):
-            if is_condition:
-                names.update(re.findall(r"\$\(arg\s+([\w-]+)\s*\)", text))
-            for tree in _expressions_in(text):
-                if is_condition or not isinstance(tree, ast.Name):
-                    names |= _names_computed_with(tree)
-    return names
-
-
-def _names_computed_with(node: ast.AST) -> set[str]:
-    if isinstance(node, ast.Name):
-        return {node.id}
-    if isinstance(node, ast.Compare):
-        sides = [node.left, *node.comparators]
-        if any(isinstance(own, ast.Constant) and isinstance(own.value, str) for own in sides):
-            return set()
-    return set().union(*map(_names_computed_with, ast.iter_child_nodes(node)))
 
 
 def is_plain(include: Element) -> bool:
@@ -131,9 +59,6 @@ def is_plain(include: Element) -> bool:
 # --- arguments that share their names with properties or parameters ---------------------------
 # Where a macro has a parameter `prefix`, or a file a property of that name and another value, the
 # argument is written as `arg_prefix`, which the main file declares beside it.
-
-
-_ARGUMENT = re.compile(r"""\$\(arg\s+([^()\s]+)\s*\)|\bxacro\.arg\(\s*['"]([^'"]+)['"]\s*\)""")
 
 
 class HiddenArguments:
@@ -165,8 +90,7 @@ class HiddenArguments:
         self.replaced: set[str] = set()
         read: set[str] = set()
         for path, root in roots.items():
-            inside = {id(child) for child in root.iter() if child.name == "xacro:macro"}
-            redefined = _redefined(root, without=inside)
+            redefined = _redefined(root, without=macros_inside(root))
             self.everywhere |= redefined
             self.replaced |= redefined if path != main else set()
             read |= arguments_in(root)
@@ -174,11 +98,7 @@ class HiddenArguments:
             redefined = _redefined(macro.element)
             hides = set(macro.values()) | redefined
             self._in_macros[id(macro.element)] = hides
-            handed = redefined & {
-                name_of(element)
-                for element in macro.element.iter()
-                if element.name == "xacro:property" and "scope" in element.attributes
-            }
+            handed = redefined & assigned_in(macro.element)
             self.replaced |= handed
             self.everywhere |= {name for name in hides if name in inherited} | handed
         self.everywhere &= read | _read_again(roots, main, self.replaced)
@@ -197,13 +117,8 @@ class HiddenArguments:
 
 def _redefined(root: Element, without: Container[int] = ()) -> set[str]:
     """Return the properties set in an element to something else than the argument of that name."""
-    return {
-        name
-        for element in root.iter(without)
-        if element.name == "xacro:property"
-        and (name := name_of(element))
-        and not is_argument(format_value(element.attributes.get("value")), name)
-    }
+    properties = properties_in(root, without)
+    return {own.name for own in properties if own.name and not own.is_of_argument}
 
 
 def _read_again(roots: Mapping[str, Element], main: str, known: Container[str]) -> set[str]:
@@ -217,56 +132,15 @@ def _read_again(roots: Mapping[str, Element], main: str, known: Container[str]) 
     found: set[str] = set()
     for path, root in roots.items():
         defined: set[str] = set()
-        for element in root.iter():
-            if element.name == "xacro:property":
-                name = name_of(element)
-                is_first = path == main and name not in defined and name not in known
-                if is_property_of(element, name) and not is_first:
-                    found.add(name)
-                defined.add(name)
+        for own in properties_in(root):
+            is_first = path == main and own.name not in defined and own.name not in known
+            if own.is_of_argument and not is_first:
+                found.add(own.name)
+            defined.add(own.name)
     return found
 
 
-def is_argument(text: str, name: str) -> bool:
-    """Return whether a value is the argument of a name and nothing else."""
-    return text.strip() == f"$(arg {name})"
-
-
-def is_property_of(element: Element, name: str) -> bool:
-    """Return whether an element makes a property of the argument of a name, under that name."""
-    if element.name != "xacro:property" or element.attributes.get("name") != name:
-        return False
-    return is_argument(format_value(element.attributes.get("value")), name)
-
-
-def arguments_in(root: Element, *, with_own: bool = False) -> set[str]:
-    """Return the arguments that an element reads.
-
-    Args:
-        root: the element.
-        with_own: whether a property that is made of the argument of its name reads that.
-    """
-    names: set[str] = set()
-    for element in root.iter():
-        given = [value for name, value in element.attributes.items() if name != "params"]
-        own = name_of(element)
-        for text in (*map(format_value, given), element.text()):
-            found = arguments_of(text)
-            is_own = element.name == "xacro:property" and not with_own
-            names |= found - {own} if is_own else found
-    return names
-
-
-def arguments_of(text: str) -> set[str]:
-    """Return the arguments that a text reads."""
-    return {one or other for one, other in _ARGUMENT.findall(text)}
-
-
 # --- files that read a name of another file ---------------------------------------------------
-
-
-_WORD = re.compile(r"[^\W\d]\w*")
-_READS_ARGUMENTS = re.compile(r"\$\(\s*(?:arg|eval)\b|\barg\s*\(")
 
 
 class Readers:
@@ -284,20 +158,15 @@ class Readers:
         for macro in macros:
             without = inside - {id(macro.element)}
             own = {each.name.lstrip("*") for each in macro.parameters}
-            # the properties that a macro always has of its own
-            names: set[str] = set()
-            for element in macro.element.elements():
-                name = name_of(element)
-                text = format_value(element.attributes.get("value"))
-                if (
-                    element.name == "xacro:property"
-                    and "value" in element.attributes
-                    and "scope" not in element.attributes
-                    and not is_argument(text, name)
-                    and name not in _names_in(text)
+            for each in filter(None, map(definition_of, macro.element.elements())):
+                if (  # a property that the macro always has of its own
+                    each.kind == PROPERTY
+                    and "value" in each.element.attributes
+                    and "scope" not in each.element.attributes
+                    and not each.is_of_argument
+                    and each.name not in words_read(each.value)
                 ):
-                    names.add(name)
-            own |= names
+                    own.add(each.name)
             self._add(program, macro.element, macro.file, own, without)
         for path, root in program.roots.items():
             self._add(program, root, path, set(), inside)
@@ -314,51 +183,18 @@ class Readers:
         names = program.forwarded_in(element, without)
         arguments: set[str] = set()  # which no parameter hides
         for inner in element.iter(without):
-            # the names that an element alone reads
-            found: set[str] = set()
             if inner.name.startswith("xacro:"):
-                found.add(f"xacro:{inner.name.removeprefix('xacro:').rpartition('.')[2]}")
+                names.add(f"xacro:{called_by(inner)}")
             if inner.name in ("xacro:insert_block", "xacro:call"):
                 given = inner.attributes.get("name", inner.attributes.get("macro"))
                 prefix = "xacro:" if inner.name == "xacro:call" else ""
-                found.add(f"{prefix}{format_value(given)}")
-            for written in (*map(format_value, inner.attributes.values()), inner.text()):
-                if "$" in written:
-                    found |= _names_in(written)
-            names |= found
-            for value in (*inner.attributes.values(), inner.text()):
-                text = format_value(value)
-                if _READS_ARGUMENTS.search(text):
-                    arguments.update(_WORD.findall(text))
+                names.add(f"{prefix}{format_value(given)}")
+            for text in texts_of(inner):
+                if "$" in text:
+                    names |= words_read(text)
+                arguments |= words_of_arguments(text)
         for name in (names - own) | (arguments & program.arguments.keys()):
             self.files.setdefault(name, set()).add(path)
-
-
-def _names_in(text: str) -> set[str]:
-    """Return the names that a text reads, and more where that is not known."""
-    try:
-        parts = parse_template(text).parts
-    except Fault:
-        return set(_WORD.findall(text))
-    names: set[str] = set()
-    for part in parts:
-        if isinstance(part, Expression):
-            names |= _names_of(part.text)
-        elif isinstance(part, Substitution) and ("$" in part.text or part.text[:4] != "find"):
-            names |= set(_WORD.findall(part.text))
-    return names
-
-
-def _names_of(expression: str) -> set[str]:
-    if "$" in expression or _READS_ARGUMENTS.search(expression):
-        return set(_WORD.findall(expression))
-    try:
-        tree = ast.parse(expression.strip(), mode="eval")
-    except (SyntaxError, ValueError):
-        return set(_WORD.findall(expression))
-    names = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
-    in_namespaces = {node.attr for node in ast.walk(tree) if isinstance(node, ast.Attribute)}
-    return names | in_namespaces
 
 
 # --- names that macros see and read of their callers ------------------------------------------
@@ -468,12 +304,7 @@ class Passing:
         """Look at all macros and calls of a robot."""
         self._program = program
         macros = list(program.definitions.values())
-        self._nested = {
-            id(inner)
-            for macro in macros
-            for inner in macro.element.iter()
-            if inner is not macro.element and inner.name == "xacro:macro"
-        }
+        self._nested = set().union(*(macros_inside(macro.element) for macro in macros))
         self._own = {
             macro: {
                 *macro.values(),
@@ -574,11 +405,11 @@ class Passing:
     def _is_bound(self, name: str, caller: Macro, before: list[Element]) -> bool:
         """Return whether a caller has a name in any case."""
         return name in caller.values() or any(
-            element.name == "xacro:property"
-            and element.attributes.get("name") == name
-            and "scope" not in element.attributes
-            and self._is_evaluated(element)
-            for element in before
+            own.is_property
+            and own.name == name
+            and "scope" not in own.element.attributes
+            and self._is_evaluated(own.element)
+            for own in filter(None, map(definition_of, before))
         )
 
     def _is_evaluated(self, definition: Element) -> bool:
@@ -609,7 +440,7 @@ class _Reads:
 
     __slots__ = ("free", "own", "reached", "used")
 
-    def __init__(self, own: set[str], used: set[str], reached: set[object]) -> None:
+    def __init__(self, own: set[str], used: set[str], reached: set[Macro | str]) -> None:
         self.used = used
         self.own = own
         self.free = used - own
@@ -647,21 +478,18 @@ class Callees:
                 defined: set[str] = set()
                 conditional: set[int] = set()
                 for each in root.iter(inside):
-                    first |= used_in(Element(each.name, each.span, each.attributes)) - defined
-                    first |= used_in(Element("text", each.span, {"text": each.text()})) - defined
+                    first |= set().union(*map(names_in, texts_of(each))) - defined
                     if each.name in ("xacro:if", "xacro:unless"):
                         conditional.update(map(id, each.iter()))
-                    elif (
-                        each.name == "xacro:property"
-                        and "default" not in each.attributes
-                        and id(each) not in conditional
-                    ):
-                        defined.add(name_of(each))
+                    elif "default" not in each.attributes and id(each) not in conditional:
+                        own = definition_of(each)
+                        if own is not None and own.is_property:
+                            defined.add(own.name)
                 reads.free |= first & defined_in(root)
         # let macros that are in others see the names of these, as functions do. What they call
         # does not see them
-        by_element = {id(macro.element): macro for macro in self._program.definitions.values()}
-        for outer in self._program.definitions.values():
+        by_element = {id(macro.element): macro for macro in program.definitions.values()}
+        for outer in program.definitions.values():
             for element in outer.element.iter():
                 inner = by_element.get(id(element))
                 if inner is not None and inner is not outer:
@@ -681,15 +509,8 @@ class Callees:
     def _reads_of(self, element: Element, parameters: set[str], inside: set[int]) -> _Reads:
         program = self._program
         own = parameters | defined_in(element) | program.handed_to(element)
-        reached: set[object] = set()
-        for each in element.iter(inside):
-            macro = program.macro_called(each)
-            if macro is not None:
-                reached.add(macro)
-            elif each.name == "xacro:include":
-                reached.update(program.files.files_of(each))
         used = used_in(element, without=inside) | program.forwarded_in(element, inside)
-        return _Reads(own, used, reached)
+        return _Reads(own, used, set(program.reached_from(element, inside)))
 
     def read_below(self, macro: Macro) -> set[str]:
         """Return the names of a macro that what it calls or includes reads."""
@@ -741,12 +562,10 @@ class Callees:
         for child in macro.element.elements():
             called = self._program.macro_called(child)
             if called is not None and any(
-                each.name == "xacro:property"
-                and each.attributes.get("name") == name
-                and each.attributes.get("scope") == "parent"
-                for each in called.element.elements()
+                own.is_property and own.name == name and own.scope == "parent"
+                for own in filter(None, map(definition_of, called.element.elements()))
             ):
                 return True
-            if self._reads_of(child, set(), set()).reached:
+            if any(self._program.reached_from(child)):
                 return False
         return False

@@ -10,7 +10,24 @@ import ast
 import math
 import re
 
-from ....xacro.statements import Parameter, parse_parameters
+from ....xacro.statements import Parameter
+from ....xacro.symbol_table import (
+    BLOCK,
+    MACRO,
+    Definition,
+    arguments_of,
+    assigned_in,
+    computed_with,
+    defined_in,
+    definition_of,
+    names_in,
+    outside_expressions,
+    properties_in,
+    texts_in,
+    texts_of,
+    used_in,
+    words_in,
+)
 from ....xacro.templates import guess_value
 from ....xml.tree import Comment, Element
 from ....xml.values import format_value
@@ -18,28 +35,12 @@ from ..document import spaced
 from ..elements import comments_at_ends, name_of, tidy_text
 from ..formulas import Degrees
 from .choices import MARK, Truths, name_alone
-from .names import (
-    Callers,
-    HiddenArguments,
-    Passing,
-    Readers,
-    arguments_in,
-    arguments_of,
-    camel,
-    computed_with,
-    defined_in,
-    is_property_of,
-    names_in,
-    names_of_callers,
-    outside_expressions,
-    texts_in,
-    used_in,
-)
+from .names import Callers, HiddenArguments, Passing, Readers, camel, names_of_callers
 from .robot_files import RobotFiles
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Container, Mapping
+    from collections.abc import Container, Iterator, Mapping
 
     from ....source import Source, Span
     from ....xacro.host import Host
@@ -59,13 +60,13 @@ class Macro:
         from_caller: the names in defaults of its parameters that only its callers have.
     """
 
-    def __init__(self, element: Element, file: str, function: str) -> None:
+    def __init__(self, definition: Definition, file: str, function: str) -> None:
         """Read its name and parameters."""
-        self.element = element
-        self.name = name_of(element).removeprefix("xacro:")
+        self.element = definition.element
+        self.name = definition.name
         self.parameters: list[Parameter] = [
             own
-            for own in parse_parameters(format_value(element.attributes.get("params", "")))
+            for own in definition.parameters()
             if not own.name[:1].isdigit()  # nothing can read it, and no call can give it
         ]
         self.file = file
@@ -157,7 +158,7 @@ class XacroProgram:
         has_computed_calls: whether it calls macros whose names are computed.
         known_numbers: the numbers that names always have.
         result: what the robot expands to.
-        given: the names of the arguments given.
+        given: the arguments given.
         exact: whether an origin that is missing has to stay missing.
     """
 
@@ -189,8 +190,8 @@ class XacroProgram:
         self.included = self.files.included
         self.result = self.runs.done[0].result
         self.exact = exact
-        self.given = set(arguments)
-        self._asked = source, host, arguments, exact
+        self.given = arguments
+        self._asked = source, host
         self._take_values()
         self._gather_names()
         self._settle_arguments()
@@ -202,20 +203,15 @@ class XacroProgram:
         }
         self._maybe_truths = Truths(self.roots.values(), self.truth_arguments)
         Passing(self).add_parameters()
-        for path, root in self.roots.items():
-            self._names[path] |= self.forwarded_in(root)
         self.spelled = self._spelled()
         # the properties whose definitions all are the same constant
         found: dict[str, set[str]] = {}
         for file, each in self.roots.items():
-            for element in each.iter():
-                if element.name == "xacro:property":
-                    text = format_value(element.attributes.get("value"))
-                    own = name_of(element)
-                    value = f"{file}: {text}" if "$" in text else text
-                    found.setdefault(own, set()).add(value)
-        several = {own for own, paths in self.properties.items() if len(paths) > 1}
-        self._constants = {own for own, texts in found.items() if len(texts) == 1} & several
+            for own in properties_in(each):
+                value = f"{file}: {own.value}" if "$" in own.value else own.value
+                found.setdefault(own.name, set()).add(value)
+        several = {name for name, paths in self.properties.items() if len(paths) > 1}
+        self._constants = {name for name, texts in found.items() if len(texts) == 1} & several
         # the properties that several files set, other than to the same constant
         files: dict[str, int] = {}
         for path in self.roots.keys() - self.namespaces.inside:
@@ -229,11 +225,14 @@ class XacroProgram:
         self.hidden = HiddenArguments(
             self.roots, self.main, self.definitions.values(), self.inherited
         )
-        # note the given arguments that the files read and do not declare
-        root = self.roots[self.main]
-        for name in arguments:
-            if name not in self.arguments and any(name in names for names in self._names.values()):
-                self.arguments[name] = Argument(root.span, "to be given: it has no default")
+        # note the given arguments that the files may read and do not declare
+        undeclared = [name for name in arguments if name not in self.arguments]
+        if undeclared:
+            roots = self.roots.values()
+            words = set().union(*map(words_in, roots), *map(self.forwarded_in, roots))
+            for name in filter(words.__contains__, undeclared):
+                span = self.roots[self.main].span
+                self.arguments[name] = Argument(span, "to be given: it has no default")
         self.included_by_macros = {
             path
             for macro in self.definitions.values()
@@ -272,7 +271,6 @@ class XacroProgram:
         self.properties: dict[str, set[str]] = {}
         self.times_defined: dict[str, int] = {}
         self.blocks: set[str] = set()
-        self._names: dict[str, set[str]] = {}
         self.has_computed_calls = False
         self.namespaces = Namespaces(self.main, self.roots, self.included)
         for path, root in self.roots.items():
@@ -330,7 +328,7 @@ class XacroProgram:
 
     def arguments_read(self, root: Element) -> set[str]:
         """Return the arguments that a file reads, also where `$(eval …)` has them as names."""
-        names = arguments_in(root, with_own=True)
+        names: set[str] = set()
         for text in texts_in(root):
             names |= arguments_of(text)
             for inside in re.findall(r"\$\(eval([^)]*)", text):
@@ -346,36 +344,27 @@ class XacroProgram:
         }
 
     def _gather(self, path: str, root: Element) -> None:
-        names = self._names[path] = set()
         for element in root.iter():
-            given = {name: format_value(value) for name, value in element.attributes.items()}
-            for text in (*given.values(), element.text()):
-                if "$" in text or element.name in ("xacro:if", "xacro:unless"):
-                    names.update(_NAME.findall(text))
-            if element.name.startswith("xacro:"):
-                names.add(f"xacro:{element.name.removeprefix('xacro:').rpartition('.')[2]}")
-            if element.name == "xacro:call" and "$" in given.get("macro", ""):
-                self.has_computed_calls = True
-            if element.name == "xacro:insert_block":
-                names.add(given.get("name", ""))
-            if element.name == "xacro:macro" and "name" in given:
-                name = given["name"].removeprefix("xacro:")
-                known = self.macros.get(name)
-                function = known.function if known else self._function_name(name)
-                macro = Macro(element, path, function)
-                self.macros.setdefault(name, macro)
-                self.definitions[path, element.span.start] = macro
-                self._macros_of_name.setdefault(name, []).append(macro)
-            elif element.name == "xacro:property" and "name" in given:
-                self.times_defined[given["name"]] = self.times_defined.get(given["name"], 0) + 1
-                self.properties.setdefault(given["name"], set()).add(path)
-                if given.get("scope") in ("parent", "global"):
-                    self.assigned_from_inside.add(given["name"])
-                if given.get("scope") == "global":
-                    self.assigned_globally.add(given["name"])
-                if "value" not in given and "default" not in given and "remove" not in given:
-                    self.blocks.add(given["name"])
             self._gather_arguments(element)
+            if "$" in format_value(element.attributes.get("macro")):
+                self.has_computed_calls |= element.name == "xacro:call"
+            own = definition_of(element)
+            if own is None or "name" not in element.attributes:
+                continue
+            if own.kind == MACRO:
+                known = self.macros.get(own.name)
+                function = known.function if known else self._function_name(own.name)
+                macro = Macro(own, path, function)
+                self.macros.setdefault(own.name, macro)
+                self.definitions[path, element.span.start] = macro
+                self._macros_of_name.setdefault(own.name, []).append(macro)
+            elif own.is_property:
+                self.times_defined[own.name] = self.times_defined.get(own.name, 0) + 1
+                self.properties.setdefault(own.name, set()).add(path)
+                if own.kind == BLOCK:
+                    self.blocks.add(own.name)
+        self.assigned_globally |= assigned_in(root, "global")
+        self.assigned_from_inside |= assigned_in(root, "global", "parent")
 
     def _gather_arguments(self, element: Element) -> None:
         """Note the arguments that are declared in an element, with the comments above them."""
@@ -426,12 +415,17 @@ class XacroProgram:
         for called in element.iter():
             macro = self.macro_called(called)
             if macro is not None:
-                handed |= {
-                    name_of(own)
-                    for own in macro.element.iter()
-                    if own.name == "xacro:property" and own.attributes.get("scope") == "parent"
-                }
+                handed |= assigned_in(macro.element, "parent")
         return handed
+
+    def reached_from(self, root: Element, without: Container[int] = ()) -> Iterator[Macro | str]:
+        """Yield the macros that an element calls, and the paths of the files that it includes."""
+        for element in root.iter(without):
+            macro = self.macro_called(element)
+            if macro is not None:
+                yield macro
+            elif element.name == "xacro:include":
+                yield from self.files.files_of(element)
 
     def macro_called(self, element: Element) -> Macro | None:
         """Return the macro that a tag calls: of the namespace it names, its file, or another."""
@@ -476,7 +470,7 @@ class XacroProgram:
         places = [*inside, *(own for path in files for own in self.roots[path].iter())]
         if any(self.macro_called(own) is not None for own in places):
             places += [own for macro in self.definitions.values() for own in macro.element.iter()]
-        return any(own.name == "xacro:arg" and own.attributes.get("name") == name for own in places)
+        return any(own.name == "xacro:arg" and name_of(own) == name for own in places)
 
     def is_shared_argument(self, name: str) -> bool:
         """Return whether an argument, or a property that has its name, is read in other files."""
@@ -486,7 +480,7 @@ class XacroProgram:
             return False
         return any(
             (path != self.main and name in self.arguments_read(root))
-            or any(is_property_of(own, name) for own in root.iter())
+            or any(own.name == name and own.is_of_argument for own in properties_in(root))
             for path, root in self.roots.items()
         )
 
@@ -499,8 +493,8 @@ class XacroProgram:
 
     def alone(self) -> XacroProgram:
         """Return the robot as it is with the arguments given, without a look at others."""
-        source, host, given, exact = self._asked
-        return XacroProgram(source, host, given, exact=exact, with_others=False)
+        source, host = self._asked
+        return XacroProgram(source, host, self.given, exact=self.exact, with_others=False)
 
     def values_tried(self, name: str) -> set[str]:
         """Return the values that an argument had in the expansions, or was to have in others."""
@@ -519,7 +513,7 @@ class XacroProgram:
             for root in self.roots.values()
             for element in root.iter()
             if element.name not in ("xacro:if", "xacro:unless", "xacro:macro")
-            for text in (*map(format_value, element.attributes.values()), element.text())
+            for text in texts_of(element)
             if not (name_alone(text) and element.name.startswith("xacro:"))
             for name in names_in(text)
             if not self.is_shown_as_truth(name)
@@ -696,10 +690,10 @@ def known_numbers(program: XacroProgram) -> dict[str, float]:
         if name not in others and name not in program.properties
     }
     at_top = {
-        name_of(element): format_value(element.attributes["value"]).strip()
+        own.name: own.value.strip()
         for root in program.roots.values()
-        for element in root.elements()
-        if element.name == "xacro:property" and {"name", "value"} <= element.attributes.keys()
+        for own in filter(None, map(definition_of, root.elements()))
+        if own.is_property and {"name", "value"} <= own.element.attributes.keys()
     }
     pending = {
         name: text

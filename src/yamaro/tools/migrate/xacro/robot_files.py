@@ -14,7 +14,7 @@ from ....diagnostics import Reporter, YamaroError
 from ....xacro.evaluator import Python, XacroEvaluator, YamlList
 from ....xacro.expansion import Expansion
 from ....xacro.scope import Lazy, Scope
-from ....xacro.statements import parse_parameters
+from ....xacro.symbol_table import MACRO, Definition, called_by, definitions_in
 from ....xacro.templates import guess_value
 from ....xml.tree import Element, Text
 from ....xml.values import format_number, format_value
@@ -592,25 +592,18 @@ _HOLE = re.compile(r"\$\{([^}]*)\}")
 
 def without_setters(roots: Mapping[str, Element]) -> dict[str, Element]:
     """Return the root elements of files with properties in place of the calls of such macros."""
-    macros = [own for root in roots.values() for own in root.iter() if own.name == "xacro:macro"]
-    names = [name_of(macro).removeprefix("xacro:") for macro in macros]
+    found = [own for root in roots.values() for own in definitions_in(root) if own.kind == MACRO]
+    names = [own.name for own in found]
     setters = {
-        name: macro
-        for name, macro in zip(names, macros, strict=True)
-        if names.count(name) == 1 and _is_setter(macro)
+        own.name: own for own in found if names.count(own.name) == 1 and _is_setter(own.element)
     }
     if not setters:
         return dict(roots)
-    calls = [own for root in roots.values() for own in root.iter() if _called(own) in setters]
-    replaced = {id(call): _properties(setters[_called(call)], call) for call in calls}
-    kept = {_called(call) for call in calls if replaced[id(call)] is None}
-    gone = {id(macro) for name, macro in setters.items() if name not in kept}
+    calls = [own for root in roots.values() for own in root.iter() if called_by(own) in setters]
+    replaced = {id(call): _properties(setters[called_by(call)], call) for call in calls}
+    kept = {called_by(call) for call in calls if replaced[id(call)] is None}
+    gone = {id(own.element) for name, own in setters.items() if name not in kept}
     return {path: _changed(root, replaced, gone) for path, root in roots.items()}
-
-
-def _called(element: Element) -> str:
-    """Return the name of the macro that a tag would call, in whatever namespace."""
-    return element.name.removeprefix("xacro:").rpartition(".")[2] if ":" in element.name else ""
 
 
 def _is_setter(macro: Element) -> bool:
@@ -628,18 +621,18 @@ def _is_setter(macro: Element) -> bool:
     )
 
 
-def _properties(macro: Element, call: Element) -> list[Element] | None:
+def _properties(macro: Definition, call: Element) -> list[Element] | None:
     """Return the properties that a call sets, or None if they are not known."""
     if "." in call.name or call.elements():
         return None
     given = {name: format_value(value) for name, value in call.attributes.items()}
-    for parameter in parse_parameters(format_value(macro.attributes.get("params"))):
+    for parameter in macro.parameters():
         if parameter.is_forwarded or parameter.is_block:
             return None
         if parameter.default is not None:
             given.setdefault(parameter.name, parameter.default)
     made = []
-    for own in macro.elements():
+    for own in macro.element.elements():
         text = {key: format_value(value) for key, value in own.attributes.items()}
         name = _HOLE.sub(lambda found: given.get(found[1].strip(), "$"), text["name"])
         value = _with_given(text["value"], given)

@@ -8,13 +8,21 @@ from copy import copy
 from ....runtime.predefined import CONSTANTS
 from ....syntax.names import FACTORS, is_identifier
 from ....syntax.python import skip_expression
+from ....xacro.symbol_table import (
+    arguments_in,
+    arguments_of,
+    defined_in,
+    is_argument,
+    names_in,
+    used_in,
+)
 from ....xml.tree import Comment, Element
 from ....xml.values import format_value
 from ....yaml.nodes import type_plain
 from ..document import Body, Entry, Quoted, Row, without_expressions
 from ..elements import add_loose, comments_at_ends, name_of
 from .loops import find_loop
-from .names import arguments_in, arguments_of, camel, defined_in, is_argument, names_in, used_in
+from .names import camel
 from .parts import is_statement
 from .program import Macro
 from .python import CannotMigrate, is_typed, negated

@@ -331,7 +331,9 @@ def declare_arguments(files: Mapping[str, Body], main: str, program: XacroProgra
     entries = [entry for entry in variables if stem_of(entry) in names]
     if [stem_of(entry) for entry in entries] != list(dict.fromkeys(map(stem_of, entries))):
         return False
-    if {stem_of(entry) for entry in entries} != set(names) or program.given - set(names.values()):
+    if {stem_of(entry) for entry in entries} != set(names) or program.given.keys() - set(
+        names.values()
+    ):
         return False
     if any(entry.key.partition("/")[2] not in ("", "global") for entry in entries):
         return False

@@ -8,6 +8,7 @@ from contextlib import contextmanager
 
 from ....model.compare import is_used, prefixes_in
 from ....syntax.names import STATEMENTS, is_identifier
+from ....xacro.symbol_table import defined_in, macros_inside, names_in, used_in
 from ....xml.tree import Comment, Element, Text
 from ....xml.values import format_value
 from ..document import Body, Entry, Quoted, Value, joined, literal
@@ -27,7 +28,6 @@ from ..elements import (
 from ..parts import Frames
 from .contents import IN_PART
 from .includes import write_include
-from .names import defined_in, names_in, used_in
 from .parts import Step, XacroPartWriter, in_steps, is_statement, stands_as_key
 from .python import CannotMigrate, Translator
 from .statements import (
@@ -481,22 +481,14 @@ def _read_by(element: Element, program: XacroProgram) -> set[str]:
         if root.name == "xacro:property" or id(root) in seen:
             continue
         seen.add(id(root))
-        inside = {id(own) for own in root.iter() if own.name == "xacro:macro" and own is not root}
+        inside = macros_inside(root)
         if root is not element or root.name != "xacro:macro":
             names |= used_in(root, without=inside)
-            pending += _reached_by(root, inside, program)
+            pending += [
+                program.roots[own] if isinstance(own, str) else own.element
+                for own in program.reached_from(root, inside)
+            ]
     return names
-
-
-def _reached_by(root: Element, inside: set[int], program: XacroProgram) -> Iterator[Element]:
-    """Return the macros that an element calls, and the files that it includes."""
-    for own in root.iter(inside):
-        macro = program.macro_called(own)
-        if macro is not None:
-            yield macro.element
-        elif own.name == "xacro:include":
-            for path in program.files.files_of(own):
-                yield program.roots[path]
 
 
 # --- header and sections ----------------------------------------------------------------------
