@@ -21,7 +21,6 @@ from .syntax.argument_section import (
     spelling_of,
 )
 from .syntax.names import python_name
-from .syntax.nodes import Value
 from .xml.reader import decode_xml, read_xml
 from .xml.values import format_value
 from .yaml.nodes import PLAIN, MappingNode, ScalarNode, SequenceNode, type_plain
@@ -115,7 +114,7 @@ def listing_of(
     entries = arguments_of(source)
     if entries is not None:
         return Listing(ARGUMENTS, [declared_of(entry) for entry in entries], [])
-    return Listing(VARIABLES, _variables(source), [])
+    return Listing(VARIABLES, variables_of(source), [])
 
 
 def declared_names(source: Source) -> list[Declared]:
@@ -124,7 +123,7 @@ def declared_names(source: Source) -> list[Declared]:
     Raises:
         YamaroError: the file, or its section `arguments`, cannot be read.
     """
-    return [*map(declared_of, arguments_of(source) or ()), *_variables(source)]
+    return [*map(declared_of, arguments_of(source) or ()), *variables_of(source)]
 
 
 def declared_of(entry: ArgumentEntry) -> Declared:
@@ -134,56 +133,57 @@ def declared_of(entry: ArgumentEntry) -> Declared:
     value = entry.default
     if value is None:
         return declared
-    if is_literal(value):
-        _set_literal(declared, entry, value)
-    else:
-        declared.default_text = " ".join(place_of(value).written().split())
     declared.default_span = place_of(value)
-    return declared
-
-
-def _set_literal(declared: Declared, entry: ArgumentEntry, value: Value) -> None:
+    if not is_literal(value):
+        declared.default_text = " ".join(declared.default_span.written().split())
+        return declared
     default = checked(entry, literal_value(value), spelling=spelling_of(value))
     declared.has_value = True
     declared.default_text = entry.value_text(default)
     if entry.kind in NUMERIC and isinstance(default, (int, float)):
-        declared.default = entry.in_unit(default)
-    else:
-        declared.default = default
+        default = entry.in_unit(default)
+    declared.default = default
+    return declared
 
 
 # --- variables of files without the section -------------------------------------------------------
 
 
-def _variables(source: Source) -> list[Declared]:
-    """Return the variables in the root of a file, each as it is declared first."""
+def variables_of(source: Source) -> list[Declared]:
+    """Return the variables in the root of a file, each as it is declared first.
+
+    Only texts, numbers and truth values have a default that is known.
+
+    Raises:
+        YamaroError: the file cannot be read.
+    """
     found: dict[str, Declared] = {}
-    for section, body in pairs_in(read(source, reporter=Reporter())):
+    for section, body in _pairs_in(read(source, reporter=Reporter())):
         if section.text != "variables":
             continue
-        for key, value in pairs_in(body):
+        for key, value in _pairs_in(body):
             name = key.text.partition("/")[0].strip()
             if not name.isidentifier() or python_name(name) in found:
                 continue
             declared = found[python_name(name)] = Declared(name, key.span(0, len(name)))
             declared.default_text = " ".join(source.text[value.start : value.end].split())
             declared.default_span = value if isinstance(value, ScalarNode) else value.span()
-            plain = plain_value(value) if isinstance(value, ScalarNode) else None
+            plain = _plain_value(value) if isinstance(value, ScalarNode) else None
             declared.default, declared.has_value = plain, plain is not None
     return list(found.values())
 
 
-def pairs_in(node: YamlNode) -> Iterator[tuple[ScalarNode, YamlNode]]:
+def _pairs_in(node: YamlNode) -> Iterator[tuple[ScalarNode, YamlNode]]:
     """Yield key and value of a mapping, or of each mapping in a list of them."""
     if isinstance(node, SequenceNode):
         for item in node.items:
             if isinstance(item, MappingNode):
-                yield from pairs_in(item)
+                yield from _pairs_in(item)
     elif isinstance(node, MappingNode):
         yield from node.pairs
 
 
-def plain_value(node: ScalarNode) -> bool | int | float | str | None:
+def _plain_value(node: ScalarNode) -> bool | int | float | str | None:
     """Return the value of a scalar, or None if it is empty, computed, or not a finite number."""
     if "$" in node.text:
         return None
@@ -252,13 +252,27 @@ def xacro_arguments(
     Raises:
         YamaroError: the main file is not XML.
     """
-    return _Reading(loader, packages, limits, source).run(source)
+    from .xacro.symbol_table import ARGUMENT, definition_of
+
+    reading = _Reading(loader, packages, limits, source)
+    pending = [source]
+    while pending:
+        current = pending.pop()
+        included: list[Source] = []
+        for element in read_xml(current, limits).root.iter():
+            own = definition_of(element)
+            if own is not None and own.kind == ARGUMENT:
+                reading.add(own)
+            elif element.name == "xacro:include":
+                included += reading.included(element, current)
+        pending += reversed(included)
+    return list(reading.found.values()), list(reading.unread)
 
 
 class _Reading:
     """What is gathered from a file and its includes."""
 
-    __slots__ = ("_found", "_limits", "_loader", "_main", "_packages", "_seen", "_unread")
+    __slots__ = ("_limits", "_loader", "_main", "_packages", "_seen", "found", "unread")
 
     def __init__(
         self, loader: Loader, packages: PackageFinder, limits: Limits, main: Source
@@ -267,46 +281,29 @@ class _Reading:
         self._packages = packages
         self._limits = limits
         self._main = main
-        self._found: dict[str, Declared] = {}
-        self._unread: dict[str, None] = {}
+        self.found: dict[str, Declared] = {}
+        self.unread: dict[str, None] = {}
         self._seen: set[str] = set()
 
-    def run(self, source: Source) -> tuple[list[Declared], list[str]]:
-        """Read the main file, then what it includes."""
-        from .xacro.symbol_table import ARGUMENT, definition_of
-
-        pending = [source]
-        while pending:
-            current = pending.pop()
-            included: list[Source] = []
-            for element in read_xml(current, self._limits).root.iter():
-                own = definition_of(element)
-                if own is not None and own.kind == ARGUMENT:
-                    self._add(own)
-                elif element.name == "xacro:include":
-                    included += self._included(element, current)
-            pending += reversed(included)
-        return list(self._found.values()), list(self._unread)
-
-    def _add(self, argument: Definition) -> None:
+    def add(self, argument: Definition) -> None:
         name = argument.name
         if not name or "$" in name:
             return
-        declared = self._found.get(name)
+        declared = self.found.get(name)
         if declared is None:
-            declared = self._found[name] = Declared(name, argument.element.span)
+            declared = self.found[name] = Declared(name, argument.element.span)
             declared.key = name
         if "default" in argument.element.attributes and declared.default_text is None:
             declared.default_text = argument.text
             declared.default = declared.default_text
             declared.has_value = "$" not in declared.default_text
 
-    def _included(self, element: Element, includer: Source) -> Iterator[Source]:
+    def included(self, element: Element, includer: Source) -> Iterator[Source]:
         """Give the files of an include that can be read; note one whose name is computed."""
         written = format_value(element.attributes.get("filename"))
         name = self._resolved(written, includer)
         if name is None:
-            self._unread[written] = None
+            self.unread[written] = None
             return
         path = os.path.normpath(os.path.join(self._folder(includer), name))
         if path in self._seen or len(self._seen) >= self._limits.files:
@@ -325,19 +322,17 @@ class _Reading:
             match = _COMMAND.search(text)
             if match is None:
                 break
-            answer = self._answer(match.group(1), match.group(2) or "", includer)
+            command, word = match.group(1), match.group(2) or ""
+            if command == "dirname":
+                answer: str | None = self._folder(self._main)
+            elif command == "find":
+                answer = self._packages.find(word, self._folder(includer))
+            else:
+                answer = self.found[word].default_text if word in self.found else None
             if answer is None:
                 return None
             text = text[: match.start()] + answer + text[match.end() :]
         return None if "$" in text or "*" in text else text
-
-    def _answer(self, command: str, word: str, includer: Source) -> str | None:
-        if command == "dirname":
-            return self._folder(self._main)
-        if command == "find":
-            return self._packages.find(word, self._folder(includer))
-        declared = self._found.get(word)
-        return declared.default_text if declared is not None else None
 
     @staticmethod
     def _folder(source: Source) -> str:

@@ -9,11 +9,10 @@ import re
 from ...declared_arguments import (
     declared_names,
     declared_of,
-    pairs_in,
-    plain_value,
+    variables_of,
     xacro_arguments,
 )
-from ...diagnostics import InputFault, Reporter, YamaroError
+from ...diagnostics import InputFault, YamaroError
 from ...files.loader import LoadError, MemoryLoader, decode
 from ...files.packages import PackageFinder
 from ...policy import Limits
@@ -30,8 +29,7 @@ from ...syntax.argument_section import (
     checked,
 )
 from ...syntax.names import python_name
-from ...yaml.nodes import ScalarNode, type_plain
-from ...yaml.reader import read
+from ...yaml.nodes import type_plain
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -216,12 +214,21 @@ def read_variable_fields(
     """
     source = Source(text, name=name, path=path)
     if holds_xml(name, text):
-        return _xacro_fields(source, loader or MemoryLoader({}), packages or PackageFinder())
+        found, _ = xacro_arguments(
+            source, loader or MemoryLoader({}), packages or PackageFinder(), Limits()
+        )
+        return {
+            each.name: VariableField(each.name, value_of_text(each.default_text), each.span)
+            for each in found
+            if each.default_text is not None and each.has_value
+        }
     entries = arguments_of(source)
-    return _yaml_fields(source) if entries is None else _argument_fields(entries)
-
-
-def _argument_fields(entries: list[ArgumentEntry]) -> dict[str, VariableField]:
+    if entries is None:
+        return {
+            each.key: VariableField(each.name, each.default, each.default_span)
+            for each in variables_of(source)
+            if isinstance(each.default, (bool, int, float, str))
+        }
     fields: dict[str, VariableField] = {}
     for entry in entries:
         declared = declared_of(entry)
@@ -230,31 +237,6 @@ def _argument_fields(entries: list[ArgumentEntry]) -> dict[str, VariableField]:
             default = declared.default if is_plain else None
             fields[entry.name] = ArgumentField(entry, default, declared.default_span)  # type: ignore[arg-type]
     return fields
-
-
-def _yaml_fields(source: Source) -> dict[str, VariableField]:
-    fields: dict[str, VariableField] = {}
-    for section, body in pairs_in(read(source, reporter=Reporter())):
-        if section.text != "variables":
-            continue
-        for key, value in pairs_in(body):
-            written = key.text.partition("/")[0].strip()
-            if written.isidentifier() and isinstance(value, ScalarNode):
-                default = plain_value(value)
-                if default is not None:
-                    fields[python_name(written)] = VariableField(written, default, value.span())
-    return fields
-
-
-def _xacro_fields(
-    source: Source, loader: Loader, packages: PackageFinder
-) -> dict[str, VariableField]:
-    declared, _ = xacro_arguments(source, loader, packages, Limits())
-    return {
-        each.name: VariableField(each.name, value_of_text(each.default_text), each.span)
-        for each in declared
-        if each.default_text is not None and each.has_value
-    }
 
 
 def value_of_text(text: str) -> Value:
