@@ -316,7 +316,8 @@ class Layout:
         else:
             self._begin_line(token)
         if kind is StreamEndToken:
-            self._finish()
+            if self.parts and not self._is_open:
+                self.parts.append("\n")
             return
         self._write_token(token, self._text[start:end])
         self._last, self._last_end = token, end
@@ -341,11 +342,25 @@ class Layout:
                 self._put(" ")
                 self._shift = self._column - token.start_mark.column
                 return
-        self._write_remark(remark)
+        if remark:
+            text = remark.lstrip()
+            spaces = remark[: len(remark) - len(text)]
+            is_wide = len(spaces) > REMARK_GAP and not spaces.strip(" ")
+            self._put((spaces if is_wide else " " * REMARK_GAP) + text)
         before = list(self._levels) if comments else []
         self._apply_pending(token, begins_line=True)
         target = self._target(token)
-        self._write_comments(comments, before, token, target, is_value=is_value)
+        is_end = type(token) is StreamEndToken
+        following = (0, 0) if is_end else (token.start_mark.column, target)
+        is_in_body = not is_value and type(self._last) in _HEADS
+        for number, comment in enumerate(comments):
+            if self._brackets:
+                column = self._brackets[-1].content
+            else:
+                column = comment_column(comment, before, following, is_in_body=is_in_body)
+            is_first_in_body = number == 0 and is_value
+            self._break_line(is_apart=comment.is_apart and not is_first_in_body)
+            self._put(" " * column + comment.text)
         has_blank = is_apart and (comments or not is_value)
         self._is_spaced = False
         if type(token) is StreamEndToken:
@@ -376,35 +391,6 @@ class Layout:
                 is_apart = True
         return remark, comments, is_apart
 
-    def _write_remark(self, remark: str) -> None:
-        """Write the comment at the end of a line, as far from it as it was but not nearer."""
-        if remark:
-            text = remark.lstrip()
-            spaces = remark[: len(remark) - len(text)]
-            is_wide = len(spaces) > REMARK_GAP and not spaces.strip(" ")
-            self._put((spaces if is_wide else " " * REMARK_GAP) + text)
-
-    def _write_comments(
-        self,
-        comments: list[OwnLine],
-        before: list[Level],
-        token: Any,
-        target: int,
-        *,
-        is_value: bool,
-    ) -> None:
-        is_end = type(token) is StreamEndToken
-        following = (0, 0) if is_end else (token.start_mark.column, target)
-        is_in_body = not is_value and type(self._last) in _HEADS
-        for number, comment in enumerate(comments):
-            if self._brackets:
-                column = self._brackets[-1].content
-            else:
-                column = comment_column(comment, before, following, is_in_body=is_in_body)
-            is_first_in_body = number == 0 and is_value
-            self._break_line(is_apart=comment.is_apart and not is_first_in_body)
-            self._put(" " * column + comment.text)
-
     def _break_line(self, *, is_apart: bool) -> None:
         if not self.parts:
             return
@@ -416,10 +402,6 @@ class Layout:
         self.parts.append(text)
         self._column += len(text)
         self._is_line_begun = True
-
-    def _finish(self) -> None:
-        if self.parts and not self._is_open:
-            self.parts.append("\n")
 
     # --- where a line begins ----------------------------------------------------------------------
 
@@ -524,48 +506,35 @@ class Layout:
         self._is_open = False
         if kind is ScalarToken:
             if token.style in ("|", ">"):
-                self._write_block_scalar(token, written)
+                level = self._levels[-1] if self._levels else Level(is_list=False, old=0, new=0)
+                block = move_block_scalar(written, old=level.old, new=level.new)
+                self._write_lines(block.lines)
+                self._is_spaced, self._is_open = block.has_blank_end, block.is_open
+                self._line = token.end_mark.line
+                self._is_line_begun = False
                 return
             if token.end_mark.line > token.start_mark.line:
-                self._write_flow_scalar(token, written)
+                least = self._least_column()
+                self._write_lines(move_flow_scalar(written, shift=self._shift, least=least))
+                self._line = token.end_mark.line
                 return
         if kind in _OPENING:
-            self._open_bracket(token)
+            base = self._brackets[-1].content if self._brackets else self._least_column()
+            at, text = token.end_mark.index, self._text
+            while text[at : at + 1] in (" ", "\t"):
+                at += 1
+            if text[at : at + 1] in ("", "#", "\r", "\n"):
+                self._brackets.append(Bracket(content=base + INDENT, closing=base))
+            else:
+                self._brackets.append(Bracket(content=self._column + 1, closing=self._column))
         elif kind in _CLOSING:
             self._brackets.pop()
         self._put(written)
         self._line = token.start_mark.line
 
-    def _open_bracket(self, token: Any) -> None:
-        """Note where the lines of a flow collection begin."""
-        base = self._brackets[-1].content if self._brackets else self._least_column()
-        if self._is_last_in_line(token):
-            self._brackets.append(Bracket(content=base + INDENT, closing=base))
-        else:
-            self._brackets.append(Bracket(content=self._column + 1, closing=self._column))
-
-    def _is_last_in_line(self, token: Any) -> bool:
-        at, text = token.end_mark.index, self._text
-        while text[at : at + 1] in (" ", "\t"):
-            at += 1
-        return text[at : at + 1] in ("", "#", "\r", "\n")
-
     def _least_column(self) -> int:
         """Return the column in which a value begins below its key or dash."""
         return self._levels[-1].new + INDENT if self._levels else 0
-
-    def _write_block_scalar(self, token: Any, written: str) -> None:
-        level = self._levels[-1] if self._levels else Level(is_list=False, old=0, new=0)
-        block = move_block_scalar(written, old=level.old, new=level.new)
-        self._write_lines(block.lines)
-        self._is_spaced, self._is_open = block.has_blank_end, block.is_open
-        self._line = token.end_mark.line
-        self._is_line_begun = False
-
-    def _write_flow_scalar(self, token: Any, written: str) -> None:
-        least = self._least_column()
-        self._write_lines(move_flow_scalar(written, shift=self._shift, least=least))
-        self._line = token.end_mark.line
 
     def _write_lines(self, lines: list[str]) -> None:
         self._put(lines[0])
@@ -605,12 +574,9 @@ def formatted(source: Source, limits: Limits | None = None) -> str:
         raise LayoutFault("formatting would change more than white space")
     if list(_meaning(new)) != list(_meaning(text)):
         raise LayoutFault("formatting would change the meaning of the file")
-    return new.replace("\n", "\r\n") if _ends_lines_with_crlf(source.text) else new
-
-
-def _ends_lines_with_crlf(text: str) -> bool:
-    end = text.find("\n")
-    return end > 0 and text[end - 1] == "\r"
+    end = source.text.find("\n")
+    has_crlf = end > 0 and source.text[end - 1] == "\r"
+    return new.replace("\n", "\r\n") if has_crlf else new
 
 
 def _meaning(text: str) -> Iterator[tuple[Any, ...]]:

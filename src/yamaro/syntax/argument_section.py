@@ -476,7 +476,8 @@ def _parse_entry(
     else:
         entry.default = parse_value(node, context)
         _settle_kind(entry, None)
-    _check_default(entry)
+    if entry.default is not None and is_literal(entry.default):
+        _checked(entry, entry.default)
     return entry
 
 
@@ -508,7 +509,8 @@ def _parse_long(entry: ArgumentEntry, node: MappingNode, context: ParseContext) 
     entry.help = _text_of(literal.get("help"))
     _parse_kind(entry, literal, found)
     for name in _OF_NUMBERS:
-        if name in found and (entry.kind not in NUMERIC or (name == "unit" and _is_whole(entry))):
+        allowed = (NUMBER,) if name == "unit" else NUMERIC
+        if name in found and entry.kind not in allowed:
             needs = "a number" if name == "unit" else "a number or an integer"
             raise _bad(
                 f"`{name}` is only for an argument that is {needs}, and '{entry.name}' is "
@@ -517,11 +519,25 @@ def _parse_long(entry: ArgumentEntry, node: MappingNode, context: ParseContext) 
                 hint="write type: number, or remove it",
             )
     if "unit" in literal:
-        _parse_unit(entry, literal["unit"], found["unit"][1])
+        entry.unit_text, span = _text_of(literal["unit"]).strip(), found["unit"][1].span()
+        try:
+            entry.unit = parse_unit(entry.unit_text)
+        except UnknownUnit as fault:
+            told = unknown_unit(fault.unit)
+            raise failure(told.code, told.message, span, hint=told.hint) from None
+        except ValueError:
+            is_there = bool(entry.unit_text)
+            raise _bad(
+                f"'{entry.unit_text}' is not a unit" if is_there else "`unit` takes a unit",
+                span,
+                hint="write a unit such as mm, deg or N*m",
+            ) from None
     if "range" in literal:
         _parse_range(entry, literal["range"], found["range"][1])
     if "step" in literal:
-        _parse_step(entry, literal["step"], found["step"][1])
+        entry.step = _number(entry, literal["step"])
+        if entry.step <= 0:
+            raise _bad("`step` needs a number greater than 0", found["step"][1].span())
     if "log" in literal:
         _parse_log(entry, literal["log"], found["log"][1])
     if "choices" in literal:
@@ -640,27 +656,7 @@ def _is_null(value: Value | None) -> bool:
     return isinstance(value, Constant) and value.value is None
 
 
-def _is_whole(entry: ArgumentEntry) -> bool:
-    return entry.kind != NUMBER
-
-
 # --- entries of numbers ---------------------------------------------------------------------------
-
-
-def _parse_unit(entry: ArgumentEntry, value: Value, node: YamlNode) -> None:
-    text = _text_of(value).strip()
-    try:
-        entry.unit = parse_unit(text)
-    except UnknownUnit as fault:
-        told = unknown_unit(fault.unit)
-        raise failure(told.code, told.message, node.span(), hint=told.hint) from None
-    except ValueError:
-        raise _bad(
-            f"'{text}' is not a unit" if text else "`unit` takes a unit",
-            node.span(),
-            hint="write a unit such as mm, deg or N*m",
-        ) from None
-    entry.unit_text = text
 
 
 def _parse_range(entry: ArgumentEntry, value: Value, node: YamlNode) -> None:
@@ -674,12 +670,6 @@ def _parse_range(entry: ArgumentEntry, value: Value, node: YamlNode) -> None:
     entry.low, entry.high = ends
     if entry.low is not None and entry.high is not None and entry.low > entry.high:
         raise _bad("the range ends below its start", node.span(), hint="swap the two numbers")
-
-
-def _parse_step(entry: ArgumentEntry, value: Value, node: YamlNode) -> None:
-    entry.step = _number(entry, value)
-    if entry.step <= 0:
-        raise _bad("`step` needs a number greater than 0", node.span())
 
 
 def _parse_log(entry: ArgumentEntry, value: Value, node: YamlNode) -> None:
@@ -712,13 +702,6 @@ def _parse_choices(entry: ArgumentEntry, value: Value, node: YamlNode) -> None:
         )
     choices = [_checked(entry, item) for item in value.items]
     entry.choices = choices
-
-
-def _check_default(entry: ArgumentEntry) -> None:
-    """Check a default that is known without running the file."""
-    default = entry.default
-    if default is not None and is_literal(default):
-        _checked(entry, default)
 
 
 def _checked(entry: ArgumentEntry, value: Value) -> object:

@@ -65,7 +65,23 @@ class EvaluatedForm(Form):
             assert isinstance(attribute.name, str)
             place = self.value_spans[attribute.name] = attribute.span
             self.attributes.append((attribute.name, self._text(attribute.value, place)))
-        self._add_content(content)
+        if isinstance(content, TextContent):
+            text = self._text(content.value, content.span)
+            self.content.append((None, None, 0, 0, text, content.span))
+        elif isinstance(content, Body):
+            for statement in content.statements:
+                if isinstance(statement, ElementNode):
+                    assert statement.form is not None
+                    first = len(self.holes)
+                    self.holes += statement.form.holes
+                    self.joined += (
+                        (tuple(p if isinstance(p, str) else p + first for p in pieces), span)
+                        for pieces, span in statement.form.joined
+                    )
+                    self.content.append((None, statement.form, first, len(self.holes), "", None))
+                else:
+                    assert isinstance(statement, (Element, Text, Comment))
+                    self.content.append((statement, None, 0, 0, "", None))
         if isinstance(content, TextContent) and not attributes:
             self.text = (self.content[0][4], content.span)
         self.letters = sum(
@@ -89,25 +105,6 @@ class EvaluatedForm(Form):
             return pieces[0]
         self.joined.append((tuple(pieces), span))
         return tuple(pieces)
-
-    def _add_content(self, content: Content) -> None:
-        if isinstance(content, TextContent):
-            text = self._text(content.value, content.span)
-            self.content.append((None, None, 0, 0, text, content.span))
-        elif isinstance(content, Body):
-            for statement in content.statements:
-                if isinstance(statement, ElementNode):
-                    assert statement.form is not None
-                    first = len(self.holes)
-                    self.holes += statement.form.holes
-                    self.joined += (
-                        (tuple(p if isinstance(p, str) else p + first for p in pieces), span)
-                        for pieces, span in statement.form.joined
-                    )
-                    self.content.append((None, statement.form, first, len(self.holes), "", None))
-                else:
-                    assert isinstance(statement, (Element, Text, Comment))
-                    self.content.append((statement, None, 0, 0, "", None))
 
 
 def form_of(node: ElementNode | PartNode, body: Body) -> EvaluatedForm | None:

@@ -192,23 +192,18 @@ def signature_of(key: ScalarNode) -> ScalarPiece | None:
         )
     parameters = _piece(key, open_at + 1, close)
     for start, end in split_inline(parameters):
-        _check_parameter(parameters, start, end)
+        word = parameters.text[start:end].strip()
+        is_block = word.startswith("**") and word[2:3].isupper()
+        if word == "/" or (word.startswith("*") and not is_block):
+            first = parameters.text.index(word, start)
+            raise failure(
+                "bad-parameter",
+                f"'{word}' is not allowed among the parameters of a function",
+                parameters.span(first, first + len(word)),
+                hint="parameters are names, name=default, and blocks such as **Foot, whose names "
+                "begin with a capital letter",
+            )
     return parameters
-
-
-def _check_parameter(parameters: ScalarPiece, start: int, end: int) -> None:
-    """Raise YamaroError for what Python has in signatures and functions here do not."""
-    word = parameters.text[start:end].strip()
-    is_block = word.startswith("**") and word[2:3].isupper()
-    if word == "/" or (word.startswith("*") and not is_block):
-        first = parameters.text.index(word, start)
-        raise failure(
-            "bad-parameter",
-            f"'{word}' is not allowed among the parameters of a function",
-            parameters.span(first, first + len(word)),
-            hint="parameters are names, name=default, and blocks such as **Foot, whose names begin "
-            "with a capital letter",
-        )
 
 
 def scope_behind(key: ScalarNode) -> str:

@@ -37,9 +37,29 @@ def parse_leaf(key: ScalarNode, node: YamlNode, context: ParseContext) -> Statem
     if word == "include":
         return parse_include(key, node, context)
     if word == "print":
-        return _parse_print(node, context)
+        if isinstance(node, ScalarNode):
+            warn_of_hidden_value(node, context)
+            text = "" if is_empty(node) else parse_template(node, context=context)
+            return PrintNode(text, node.span())
+        return PrintNode(parse_value(node, context), node.span())
     if word == "process":
-        return _parse_process(key, node, context)
+        if not isinstance(node, ScalarNode):
+            raise failure(
+                "not-a-text",
+                "`process` takes Python statements as a text",
+                node.span(),
+                hint="write process: | and the statements, indented, on the lines below",
+            )
+        if node.anchor is not None:
+            context.report(
+                "anchored-expression",
+                f"'&{node.anchor}' is a YAML anchor here, not a part of the statement",
+                node.anchor_span(),
+                hint="quote the statement, or delete the anchor",
+            )
+        code = compile_statements(node, context.rules)
+        context.codes.append(code)
+        return ProcessNode(code, key.span())
     return _parse_text_or_comment(word.strip("<>"), node, context)
 
 
@@ -57,36 +77,6 @@ def _parse_text_or_comment(
     text = "" if is_empty(node) else parse_template(node, context=context)
     make = TextNode if word == "#text" else CommentNode
     return make(text, node.span())
-
-
-def _parse_print(node: YamlNode, context: ParseContext) -> PrintNode:
-    """Return what a `print` says, a text or a value."""
-    if isinstance(node, ScalarNode):
-        warn_of_hidden_value(node, context)
-        text = "" if is_empty(node) else parse_template(node, context=context)
-        return PrintNode(text, node.span())
-    return PrintNode(parse_value(node, context), node.span())
-
-
-def _parse_process(key: ScalarNode, node: YamlNode, context: ParseContext) -> ProcessNode:
-    """Return the Python statements of a `process`."""
-    if not isinstance(node, ScalarNode):
-        raise failure(
-            "not-a-text",
-            "`process` takes Python statements as a text",
-            node.span(),
-            hint="write process: | and the statements, indented, on the lines below",
-        )
-    if node.anchor is not None:
-        context.report(
-            "anchored-expression",
-            f"'&{node.anchor}' is a YAML anchor here, not a part of the statement",
-            node.anchor_span(),
-            hint="quote the statement, or delete the anchor",
-        )
-    code = compile_statements(node, context.rules)
-    context.codes.append(code)
-    return ProcessNode(code, key.span())
 
 
 # --- `include`: a path, a namespace, and what is passed to the file ---------------------------
@@ -140,7 +130,14 @@ def parse_include_of(key: ScalarNode, pairs: Pairs, context: ParseContext) -> In
         rest.append(namespace_pair)  # XML has no names to put into one, but xacro files arguments
         namespace_pair = None
     namespace = _parse_namespace(namespace_pair[1], context) if namespace_pair else None
-    arguments = _include_arguments(rest + given, context)
+    arguments: list[Argument] = []
+    seen: dict[str, tuple[ScalarNode, YamlNode]] = {}
+    for own, value in rest + given:
+        refuse_twice(seen.get(own.text), own, "include")
+        seen[own.text] = (own, value)
+        argument = Argument(_argument_name(own, context), None, own.span())
+        argument.value = parse_value(value, context)
+        arguments.append(argument)
     path_span = path_pair[1].span()
     return IncludeNode(
         path,
@@ -150,18 +147,6 @@ def parse_include_of(key: ScalarNode, pairs: Pairs, context: ParseContext) -> In
         path_span=path_span,
         span=key.span(),
     )
-
-
-def _include_arguments(pairs: Pairs, context: ParseContext) -> list[Argument]:
-    arguments: list[Argument] = []
-    seen: dict[str, tuple[ScalarNode, YamlNode]] = {}
-    for own, value in pairs:
-        refuse_twice(seen.get(own.text), own, "include")
-        seen[own.text] = (own, value)
-        argument = Argument(_argument_name(own, context), None, own.span())
-        argument.value = parse_value(value, context)
-        arguments.append(argument)
-    return arguments
 
 
 def _argument_name(key: ScalarNode, context: ParseContext) -> str:

@@ -135,7 +135,12 @@ def _parse_root(root: YamlNode, document: Document, context: ParseContext) -> No
             statements.append((key, node))
         else:
             context.attempt(_parse_root_element, key, node, document, context)
-    _read_lone_section(statements, document, context)
+    # a robot's section alone may be the root element too: that depends on who includes the file
+    words = [pair for pair in statements if pair[0].text in ROBOT_SECTIONS]
+    has_robot = document.robot_name is not None or document.model_span or document.root is not None
+    if len(words) == 1 and not has_robot and document.arguments is None:
+        context.attempt(_parse_root_element, *words[0], document, context)
+        document.is_lone_section = document.root is not None
     document.sections = parse_pairs(statements, context).statements
     for section in document.sections:
         if isinstance(section, VariablesNode):
@@ -144,18 +149,6 @@ def _parse_root(root: YamlNode, document: Document, context: ParseContext) -> No
         from .argument_section import refuse_variables_of_same_name
 
         refuse_variables_of_same_name(document, context)
-
-
-def _read_lone_section(statements: Pairs, document: Document, context: ParseContext) -> None:
-    """Read a robot's section as the root element too, if nothing else could be the root.
-
-    Which of the two it is depends on whether the file is included, where it is a section.
-    """
-    words = [pair for pair in statements if pair[0].text in ROBOT_SECTIONS]
-    has_robot = document.robot_name is not None or document.model_span or document.root is not None
-    if len(words) == 1 and not has_robot and document.arguments is None:
-        context.attempt(_parse_root_element, *words[0], document, context)
-        document.is_lone_section = document.root is not None
 
 
 def _parse_robot_name(
@@ -198,8 +191,15 @@ def _parse_root_element(
     if near is not None and "/" not in word:
         _refuse_misspelt(key, near)
     if bare.startswith("xacro:"):
-        _refuse_xacro(key, bare)
-    if word == "robot" and isinstance(node, SequenceNode) and not _has_entries(node):
+        raise failure(
+            "unknown-section",
+            f"'{bare}' is a xacro element, not a section of a file",
+            key.span(),
+            hint="write properties under `variables:`, macros under `functions:`, includes "
+            "and calls under `model:`; see docs/coming-from-xacro.md",
+        )
+    items = node.items if isinstance(node, SequenceNode) else []
+    if word == "robot" and items and not any(isinstance(item, MappingNode) for item in items):
         raise failure(
             "not-a-text",
             "`robot` takes a name or a body, and this is a list of values",
@@ -223,20 +223,6 @@ def _parse_root_element(
     if document.root is not None or document.model_span or document.robot_name is not None:
         _refuse_two_roots(key, document, context)
     document.root = element
-
-
-def _refuse_xacro(key: ScalarNode, tag: str) -> None:
-    raise failure(
-        "unknown-section",
-        f"'{tag}' is a xacro element, not a section of a file",
-        key.span(),
-        hint="write properties under `variables:`, macros under `functions:`, includes "
-        "and calls under `model:`; see docs/coming-from-xacro.md",
-    )
-
-
-def _has_entries(node: SequenceNode) -> bool:
-    return not node.items or any(isinstance(item, MappingNode) for item in node.items)
 
 
 def _refuse_misspelt(key: ScalarNode, near: str) -> None:
@@ -315,20 +301,17 @@ def _parse_imports(node: YamlNode, document: Document, context: ParseContext) ->
         if not is_empty(scalar):
             context.attempt(_parse_import, scalar, document)
     if isinstance(node, SequenceNode) and node.is_flow:
-        _note_split_names([s for s in node.items if isinstance(s, ScalarNode)], document)
-
-
-def _note_split_names(items: list[ScalarNode], document: Document) -> None:
-    """Give `sin` in `[from math import pi, sin]` a hint, should there be no such module."""
-    start: int | None = None
-    for index, item in enumerate(items):
-        if item.text.startswith("from "):
-            start = index
-        elif start is not None:
-            whole = ", ".join(each.text for each in items[start : index + 1])
-            for entry in document.imports:
-                if entry.span.start == item.start:
-                    entry.hint = f"the commas of [ ] split a list of names: write '{whole}'"
+        # `[from math import pi, sin]` is two items; hint at that, should there be no module `sin`
+        items = [s for s in node.items if isinstance(s, ScalarNode)]
+        start: int | None = None
+        for index, item in enumerate(items):
+            if item.text.startswith("from "):
+                start = index
+            elif start is not None:
+                whole = ", ".join(each.text for each in items[start : index + 1])
+                for entry in document.imports:
+                    if entry.span.start == item.start:
+                        entry.hint = f"the commas of [ ] split a list of names: write '{whole}'"
 
 
 def _parse_import(node: ScalarNode, document: Document) -> None:

@@ -199,20 +199,17 @@ def _syntax_failure(python: PythonCode, error: SyntaxError, message: str) -> Exc
         span = python.span(start, min(end, len(python.text)))
     reason = (error.msg or "invalid syntax").strip()
     if reason.startswith(TOO_MANY_DIGITS):
+        import re
+
+        # Python's limit can be set down to 640
+        found = re.search(r"[0-9][0-9_]{600,}", python.text)
         return failure(
             "number-too-long",
             "this integer has more digits than can be read",
-            _span_of_long_number(python),
+            python.span(*found.span()) if found else python.span(),
             hint="quote it if it is text",
         )
     return failure("python-syntax", f"{message}: {reason}", span, hint=_syntax_hint(python, reason))
-
-
-def _span_of_long_number(python: PythonCode) -> Span:
-    import re
-
-    found = re.search(r"[0-9][0-9_]{600,}", python.text)  # Python's limit can be set down to 640
-    return python.span(*found.span()) if found else python.span()
 
 
 def _line_span(python: PythonCode, line: int) -> Span:
@@ -239,11 +236,6 @@ def _syntax_hint(python: PythonCode, reason: str) -> str | None:
         return "remove the colon at the end"
     if "=" in reason and "==" in reason:
         return "compare with =="
-    return _hint_for_units(text)
-
-
-def _hint_for_units(text: str) -> str | None:
-    """Return what to write for a number with a unit in an expression."""
     from ..units import UNITS, factor_of, meant_by
 
     at = 0

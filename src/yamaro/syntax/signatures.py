@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnostics import YamaroError, failure
+from ..diagnostics import failure
 from ..source import Span
 from ..yaml.nodes import MappingNode, ScalarNode
 from .context import ParseContext
@@ -104,17 +104,6 @@ def _join_entries(earlier: VariableEntry, entry: VariableEntry) -> None:
 # --- `input`, and the arguments of calls ------------------------------------------------------
 
 
-def _no_parameter(node: YamlNode) -> YamaroError:
-    return failure(
-        "bad-input",
-        "a parameter is a name, a name=default or a **Block",
-        node.span(),
-        hint="write a default after an equals sign: length=1.0"
-        if isinstance(node, MappingNode)
-        else "quote a parameter whose default contains brackets: 'sizes=[1, 2]'",
-    )
-
-
 def parse_input(node: YamlNode, context: ParseContext) -> list[Parameter]:
     """Return the parameters that `input:` declares, as a text or a list.
 
@@ -135,7 +124,14 @@ def parse_input(node: YamlNode, context: ParseContext) -> list[Parameter]:
     seen: dict[str, Parameter] = {}
     for scalar in scalars:
         if not isinstance(scalar, ScalarNode):
-            raise _no_parameter(scalar)
+            raise failure(
+                "bad-input",
+                "a parameter is a name, a name=default or a **Block",
+                scalar.span(),
+                hint="write a default after an equals sign: length=1.0"
+                if isinstance(scalar, MappingNode)
+                else "quote a parameter whose default contains brackets: 'sizes=[1, 2]'",
+            )
         stretches = split_inline(scalar) if scalar is node else [(0, len(scalar.text))]
         for start, end in stretches:
             parameter = context.attempt(_parse_parameter, scalar, start, end, context)
@@ -167,7 +163,24 @@ def _parse_parameter(node: ScalarNode, start: int, end: int, context: ParseConte
         )
     span = node.span(start, end)
     if written.startswith("*"):
-        return _parse_block(written, span)
+        name = written.lstrip("*").strip()
+        stars = len(written) - len(written.lstrip("*"))
+        if stars != 2:
+            raise failure(
+                "bad-input",
+                f"a block has two stars, not {stars}",
+                span,
+                hint=f"write **{name}",
+            )
+        if not is_identifier(name) or not name[0].isupper():
+            raise failure(
+                "bad-input",
+                f"'{name}' cannot be the name of a block",
+                span,
+                hint=f"a block's name begins with a capital letter, and it has no default: "
+                f"**{name[:1].upper()}{name[1:].partition('=')[0]}",
+            )
+        return Parameter(name, None, is_block=True, span=span, text=written)
     equals = find_outside(text, "=", start, end)
     name_end = equals if equals >= 0 else end
     name = text[start:name_end].rstrip().removesuffix(":").rstrip()
@@ -193,28 +206,6 @@ def _parameter_hint(name: str) -> str:
         rest = rest.strip()
         return f"write {first}_{rest} for one name, or {first}, {rest} for two parameters"
     return f"write a default after =: {first}={rest.strip()}"
-
-
-def _parse_block(written: str, span: object) -> Parameter:
-    assert isinstance(span, Span)
-    name = written.lstrip("*").strip()
-    stars = len(written) - len(written.lstrip("*"))
-    if stars != 2:
-        raise failure(
-            "bad-input",
-            f"a block has two stars, not {stars}",
-            span,
-            hint=f"write **{name}",
-        )
-    if not is_identifier(name) or not name[0].isupper():
-        raise failure(
-            "bad-input",
-            f"'{name}' cannot be the name of a block",
-            span,
-            hint=f"a block's name begins with a capital letter, and it has no default: "
-            f"**{name[:1].upper()}{name[1:].partition('=')[0]}",
-        )
-    return Parameter(name, None, is_block=True, span=span, text=written)
 
 
 def parse_short_arguments(node: ScalarNode, context: ParseContext) -> list[Argument]:

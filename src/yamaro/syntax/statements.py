@@ -146,7 +146,9 @@ def parse_statement(key: ScalarNode, node: YamlNode, context: ParseContext) -> S
 
         return parse_raw_block(key, node, context)
     if word.startswith("<") and word.endswith(">"):
-        return _parse_angled(key, node, context)
+        if word[1:-1] not in ("#text", "#comment"):
+            return _parse_element(key, 1, len(word) - 1, node, context, verbatim=True)
+        return _parse_leaf(key, node, context)
     if word in ("#text", "#comment"):
         return _parse_leaf(key, node, context)
     slash = find_outside(word, "/", 0, len(word))
@@ -173,7 +175,11 @@ def _parse_bare(key: ScalarNode, node: YamlNode, context: ParseContext) -> State
     if "$" in word:
         template = parse_template(key, context=context)
         if isinstance(template, Template):
-            return _parse_dynamic(key, template, node, context)
+            inner = ParseContext(context.reporter, context.rules)
+            inner.blocks, inner.codes = context.blocks, context.codes
+            inner.functions = context.functions
+            content = inner.attempt(parse_content, node, inner)
+            return DynamicNode(template, node, content, inner.errors, key.span())
     element = _parse_element(key, 0, len(word), node, context, verbatim=False)
     assert isinstance(element.name, str), "its expression makes it one of `$(…)`"
     if word not in ROBOT_STATEMENTS and word not in RAW_BLOCKS:
@@ -181,16 +187,6 @@ def _parse_bare(key: ScalarNode, node: YamlNode, context: ParseContext) -> State
         context.bare_keys.add(word)
     warn_of_misspelt_statement(key, node, context)
     return element
-
-
-def _parse_dynamic(
-    key: ScalarNode, template: Template, node: YamlNode, context: ParseContext
-) -> DynamicNode:
-    inner = ParseContext(context.reporter, context.rules)
-    inner.blocks, inner.codes = context.blocks, context.codes
-    inner.functions = context.functions
-    content = inner.attempt(parse_content, node, inner)
-    return DynamicNode(template, node, content, inner.errors, key.span())
 
 
 # --- elements ---------------------------------------------------------------------------------
@@ -255,13 +251,6 @@ def _add_plain(
         return
     places = PlainKeyPlaces(key) if attributes else None
     body.statements.append(Element(name, key, attributes, children, INHERITED, places, False, body))
-
-
-def _parse_angled(key: ScalarNode, node: YamlNode, context: ParseContext) -> Statement:
-    inner = key.text[1:-1]
-    if inner in ("#text", "#comment"):
-        return _parse_leaf(key, node, context)
-    return _parse_element(key, 1, len(key.text) - 1, node, context, verbatim=True)
 
 
 def parse_content(node: YamlNode, context: ParseContext) -> Content:
@@ -411,7 +400,12 @@ def _extend_if(
 
 def _parse_for(key: ScalarNode, node: YamlNode, context: ParseContext) -> ForNode:
     if key.text != "for":
-        return _parse_short_for(key, node, context)
+        from .heads import body_pairs, parse_head_iteration
+
+        pairs = body_pairs("for", node, context)
+        body = context.attempt(parse_pairs, pairs, context) or Body()
+        names, spans, items = parse_head_iteration(key, context)
+        return ForNode(names, items, body, name_spans=spans, is_range=False, span=key.span())
     if isinstance(node, ScalarNode) and not is_empty(node):
         refuse_text_of_for(node)
     pairs = pairs_of(node, "`for`", context)
@@ -423,15 +417,6 @@ def _parse_for(key: ScalarNode, node: YamlNode, context: ParseContext) -> ForNod
     names, spans = parse_iterator(entries.need("iterator", "i"))
     iterable, is_range = parse_iterable(entries, len(names), context)
     return ForNode(names, iterable, body, name_spans=spans, is_range=is_range, span=key.span())
-
-
-def _parse_short_for(key: ScalarNode, node: YamlNode, context: ParseContext) -> ForNode:
-    from .heads import body_pairs, parse_head_iteration
-
-    pairs = body_pairs("for", node, context)
-    body = context.attempt(parse_pairs, pairs, context) or Body()
-    names, spans, items = parse_head_iteration(key, context)
-    return ForNode(names, items, body, name_spans=spans, is_range=False, span=key.span())
 
 
 # --- declarations -----------------------------------------------------------------------------
@@ -714,7 +699,8 @@ def warn_of_misspelt_statement(key: ScalarNode, node: YamlNode, context: ParseCo
     near = suggest(word, (*STATEMENTS, *_NEAR_STATEMENTS)) if 2 <= len(word) <= 10 else None
     if near not in STATEMENTS:
         return
-    inside = _keys_inside(node)
+    mappings = node.items if isinstance(node, SequenceNode) else [node]
+    inside = {key.text for item in mappings if isinstance(item, MappingNode) for key, _ in item}
     telling = {"condition", "body", "iterator", "range", "in", "path", "name", "joint", "link"}
     if near in ("include", "variables", "functions", "process") or inside & telling:
         from ..fixes import respelling
@@ -791,8 +777,3 @@ def _reads_like_call(element: Element | ElementNode, function: FunctionNode) -> 
         each.is_block or each.default is not None for each in function.parameters
     )
     return bool(names) if held else is_called_without
-
-
-def _keys_inside(node: YamlNode) -> set[str]:
-    mappings = node.items if isinstance(node, SequenceNode) else [node]
-    return {key.text for item in mappings if isinstance(item, MappingNode) for key, _ in item}

@@ -170,19 +170,6 @@ def _entries_hint(text: str, known: Sequence[str]) -> str:
     return f"it takes {', '.join(names)}; statements and elements go under `body:`"
 
 
-def _unknown_entry(what: str, key: ScalarNode, known: Sequence[str]) -> YamaroError:
-    from ..diagnostics import meant_word
-
-    hint, fix = meant_word(key.text, known, key.span())
-    return failure(
-        "unknown-key",
-        f"`{what}` has no entry '{key.text}'",
-        key.span(),
-        hint=hint or _entries_hint(key.text, known),
-        fix=fix,
-    )
-
-
 class Entries:
     """The entries of a statement, each meant once, taken out one by one."""
 
@@ -200,7 +187,16 @@ class Entries:
         self._pairs: dict[str, tuple[ScalarNode, YamlNode]] = {}
         for key, node in pairs:
             if key.text not in known:
-                raise _unknown_entry(what, key, known)
+                from ..diagnostics import meant_word
+
+                hint, fix = meant_word(key.text, known, key.span())
+                raise failure(
+                    "unknown-key",
+                    f"`{what}` has no entry '{key.text}'",
+                    key.span(),
+                    hint=hint or _entries_hint(key.text, known),
+                    fix=fix,
+                )
             refuse_twice(self._pairs.get(key.text), key, what)
             self._pairs[key.text] = (key, node)
 
@@ -260,7 +256,18 @@ def parse_value(node: YamlNode, context: ParseContext, *, is_literal: bool = Fal
     pairs: list[tuple[Value, Value]] = []
     for key, value in node.pairs:
         if node.is_flow:
-            _warn_of_missing_space(key, value, context)
+            name, _, rest = key.text.partition(":")
+            is_missing = isinstance(value, ScalarNode) and value.style == PLAIN and not value.text
+            if is_missing and key.style == PLAIN and name.isidentifier() and rest:
+                from ..fixes import replacement
+
+                context.report(
+                    "hidden-value",
+                    f"'{key.text}' is a YAML key with an empty value",
+                    key.span(),
+                    hint=f"put a space after the colon: {name}: {rest}",
+                    fix=replacement(key.span(), f"{name}: {rest}"),
+                )
         pairs.append(
             (
                 _parse_scalar(key, context, is_literal=is_literal),
@@ -317,22 +324,6 @@ def warn_of_hidden_value(node: ScalarNode, context: ParseContext) -> None:
         hint=f"quote the value: '{hidden}'; put a space after # if it is a comment",
         fix=replacement(span, f"'{hidden}'") if "'" not in hidden else None,
     )
-
-
-def _warn_of_missing_space(key: ScalarNode, value: YamlNode, context: ParseContext) -> None:
-    """Warn of `{x:1}`, where YAML reads a key `x:1` without a value."""
-    name, _, rest = key.text.partition(":")
-    is_missing = isinstance(value, ScalarNode) and value.style == PLAIN and not value.text
-    if is_missing and key.style == PLAIN and name.isidentifier() and rest:
-        from ..fixes import replacement
-
-        context.report(
-            "hidden-value",
-            f"'{key.text}' is a YAML key with an empty value",
-            key.span(),
-            hint=f"put a space after the colon: {name}: {rest}",
-            fix=replacement(key.span(), f"{name}: {rest}"),
-        )
 
 
 def parse_inline(

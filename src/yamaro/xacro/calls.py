@@ -67,7 +67,15 @@ def _block_hint(name: str, scope: Scope) -> str:
 def _call(expansion: Expansion, node: Element, name: str, site: Site) -> None:
     found = _find(name, site.macros, site.scope)
     if found is None:
-        raise _unknown(expansion, node, name, site)
+        near = suggest(name, site.macros.names())
+        hint = Meant.of(PREFIX + name, PREFIX + near) if near else None
+        raise failure(
+            "xacro-unknown-macro",
+            f"there is no macro '{name}' here",
+            node.span,
+            hint=hint or "a macro is defined, or its file included, above the place of its call",
+            trace=expansion.frame,
+        )
     macro, outer_macros, outer_scope = found
     scope = expansion.scope(outer_scope)
     missing = list(macro.parameters)
@@ -111,18 +119,6 @@ def _find(name: str, macros: Macros, scope: Scope) -> tuple[Macro, Macros, Scope
     return (found, macros, scope) if isinstance(found, Macro) else None
 
 
-def _unknown(expansion: Expansion, node: Element, name: str, site: Site) -> YamaroError:
-    near = suggest(name, site.macros.names())
-    hint = Meant.of(PREFIX + name, PREFIX + near) if near else None
-    return failure(
-        "xacro-unknown-macro",
-        f"there is no macro '{name}' here",
-        node.span,
-        hint=hint or "a macro is defined, or its file included, above the place of its call",
-        trace=expansion.frame,
-    )
-
-
 def _take_values(
     expansion: Expansion,
     node: Element,
@@ -142,7 +138,8 @@ def _take_values(
                 "xacro-unknown-parameter",
                 f"the macro '{_name(macro)}' has no parameter '{name}'",
                 node.name_span(name),
-                hint=did_you_mean(name, known) or _known_hint(known),
+                hint=did_you_mean(name, known)
+                or (f"its parameters are {', '.join(known)}" if known else "it takes no values"),
                 notes=_defined(macro),
                 trace=expansion.frame,
             )
@@ -252,10 +249,6 @@ def _missing(
         notes=_defined(macro),
         trace=expansion.frame.parent if expansion.frame else None,
     )
-
-
-def _known_hint(known: list[str]) -> str | None:
-    return f"its parameters are {', '.join(known)}" if known else "it takes no values"
 
 
 def _defined(macro: Macro) -> tuple[str]:

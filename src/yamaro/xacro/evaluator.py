@@ -217,7 +217,8 @@ class XacroEvaluator:
             found = re.search(rf"(?<![\w.]){re.escape(name)}\b", text) if name else None
             if found and offset is not None:
                 start, end = offset + found.start(), offset + found.end()
-            hint = _similar(name, scope)
+            hint = did_you_mean(name, scope.own_names())
+            hint = did_you_mean(name, scope.root()) if hint is None and len(name) > 3 else hint
         elif isinstance(error, SyntaxError):
             message = "there is no expression between the braces"
             if text.strip():
@@ -340,12 +341,6 @@ class XacroEvaluator:
         self.reporter.report(
             code, message, self._here(), hint=hint, trace=self.place.trace, fix=fix
         )
-
-
-def _similar(name: str, scope: Scope) -> str | None:
-    """Return a hint at a name that may be meant; for short ones, only what the file defines."""
-    hint = did_you_mean(name, scope.own_names())
-    return did_you_mean(name, scope.root()) if hint is None and len(name) > 3 else hint
 
 
 def _column(error: SyntaxError, text: str) -> int | None:

@@ -179,7 +179,14 @@ class Expansion:
         in_comments = False
         self.walked += last + 1
         if self.walked > self.limits.statements:
-            raise self._too_much(nodes[0].span)
+            raise failure(
+                "limit-statements",
+                f"more than {self.limits.statements:,} elements and texts are expanded, "
+                "which is the limit",
+                nodes[0].span,
+                hint=self.limits.hint("statements"),
+                trace=self.frame,
+            )
         for index, node in enumerate(nodes):
             if isinstance(node, Element):
                 in_comments = False
@@ -247,16 +254,6 @@ class Expansion:
             span,
             hint="a macro or file that uses itself needs a condition under which it stops; "
             + self.limits.hint("nesting"),
-            trace=self.frame,
-        )
-
-    def _too_much(self, span: Span) -> YamaroError:
-        return failure(
-            "limit-statements",
-            f"more than {self.limits.statements:,} elements and texts are expanded, "
-            "which is the limit",
-            span,
-            hint=self.limits.hint("statements"),
             trace=self.frame,
         )
 

@@ -292,7 +292,13 @@ def define_property(expansion: Expansion, node: Element, site: Site) -> None:
     text, attribute = given.value, "value"
     if given.default is not None:
         if given.scope is not None:
-            _warn_of_scope(expansion, name, node)
+            expansion.reporter.report(
+                "xacro-scope",
+                f"the default of '{name}' is looked at in this scope only",
+                node.value_span("scope"),
+                hint="leave scope out",
+                trace=expansion.frame,
+            )
         if scope.has(name):
             return
         text, attribute = given.default, "default"
@@ -309,17 +315,12 @@ def define_property(expansion: Expansion, node: Element, site: Site) -> None:
     value: Any = text if is_lazy else expansion.evaluator.value(text, scope, place)
     assign(expansion, target, name, value, place)
     if is_lazy:
-        _make_lazy(target, name, text, place)
-
-
-def _warn_of_scope(expansion: Expansion, name: str, node: Element) -> None:
-    expansion.reporter.report(
-        "xacro-scope",
-        f"the default of '{name}' is looked at in this scope only",
-        node.value_span("scope"),
-        hint="leave scope out",
-        trace=expansion.frame,
-    )
+        value = dict.__getitem__(target, name)
+        if isinstance(value, str) and "$" in value:
+            place.shift = len(value) < len(text)  # the quote that was taken off
+            target.set_lazy(name, Lazy(value, place))
+        elif isinstance(value, str):
+            target.put(name, guess_value(value))
 
 
 def assign(expansion: Expansion, scope: Scope, name: str, value: Any, place: XacroPlace) -> None:
@@ -338,18 +339,6 @@ def warn_if_hiding(expansion: Expansion, name: str, place: XacroPlace) -> None:
             hint="choose another name",
             trace=expansion.frame,
         )
-
-
-def _make_lazy(scope: Scope, name: str, text: str, place: XacroPlace) -> None:
-    """Have a value evaluated when it is needed, if it is a text still."""
-    value = dict.__getitem__(scope, name)
-    if not isinstance(value, str):
-        return
-    if "$" in value:
-        place.shift = len(value) < len(text)  # the quote that was taken off
-        scope.set_lazy(name, Lazy(value, place))
-    else:
-        scope.put(name, guess_value(value))
 
 
 def _name(expansion: Expansion, given: Property, scope: Scope) -> str:

@@ -31,7 +31,13 @@ def tidy(root: Element) -> None:
             elif _is_space(child):
                 continue
             else:
-                _keep_text(child, kept, isinstance(last, CData))
+                value = str(child.value)
+                if kept and isinstance(kept[-1], Text):
+                    are_cdata = isinstance(child, CData) and isinstance(last, CData)
+                    space = "" if are_cdata else "\n"
+                    kept[-1] = Text(f"{kept[-1].value}{space}{value}", kept[-1].span)
+                else:
+                    kept.append(child if type(child) is Text else Text(value, child.span))
             last = child
         if not kept:
             there = [child for child in children if not is_gone(child)]
@@ -41,16 +47,6 @@ def tidy(root: Element) -> None:
 def _is_space(text: Text) -> bool:
     value = str(text.value)
     return not isinstance(text, CData) and (not value or value.isspace())
-
-
-def _keep_text(text: Text, kept: list[Node], is_after_cdata: bool) -> None:
-    """Add a text after what is kept."""
-    value = str(text.value)
-    if kept and isinstance(kept[-1], Text):
-        space = "" if isinstance(text, CData) and is_after_cdata else "\n"
-        kept[-1] = Text(f"{kept[-1].value}{space}{value}", kept[-1].span)
-    else:
-        kept.append(text if type(text) is Text else Text(value, text.span))
 
 
 # --- which comments xacro removes: those right above what is expanded -------------------------

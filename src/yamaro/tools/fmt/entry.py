@@ -160,7 +160,16 @@ def _deliver(text: _Text, arguments: Arguments, streams: Streams) -> int:
     differs = text.new != text.old
     if arguments.has("diff"):
         if differs:
-            _write_difference(text, streams)
+            import difflib
+
+            from ...streams import NAMES
+
+            old, new = (each.splitlines(keepends=True) for each in (text.old, text.new))
+            lines = [
+                line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n"
+                for line in difflib.unified_diff(old, new, text.name, f"{text.name} formatted")
+            ]
+            streams.write_result(["".join(lines).encode()], NAMES)
         return INPUT_ERROR if differs else DONE
     if arguments.has("check"):
         if differs and not streams.quiet:
@@ -191,16 +200,3 @@ def _replace(text: _Text, streams: Streams) -> int:
     if not streams.quiet:
         streams.say(f"{text.name}: formatted")
     return DONE
-
-
-def _write_difference(text: _Text, streams: Streams) -> None:
-    import difflib
-
-    from ...streams import NAMES
-
-    old, new = (each.splitlines(keepends=True) for each in (text.old, text.new))
-    lines = [
-        line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n"
-        for line in difflib.unified_diff(old, new, text.name, f"{text.name} formatted")
-    ]
-    streams.write_result(["".join(lines).encode()], NAMES)
