@@ -157,7 +157,15 @@ def _deliver(result: Result, arguments: Arguments, streams: Streams) -> int:
         status = deliver([result.files[""].encode()], arguments, streams)
     elif is_printed or _wants_file(arguments):
         if len(result.files) > 1:
-            raise WrongUsage(_several_files(len(result.files), arguments))
+            path = arguments.options.get("output", "-")
+            if goes_to_standard_output(arguments):
+                path = os.path.basename(arguments.words[0])
+            stem = os.path.splitext(path.removesuffix(".xacro"))[0]
+            folder = stem if stem not in ("", "-") else "robot"
+            raise WrongUsage(
+                f"this robot becomes {len(result.files)} files: '-o' needs a folder, "
+                f"as in {quote(f'-o {folder}/')}"
+            )
         show(result.diagnostics, arguments, streams)
         status = deliver([result.files[result.main].encode()], arguments, streams)
     else:
@@ -180,13 +188,3 @@ def _deliver(result: Result, arguments: Arguments, streams: Streams) -> int:
     if result.remark:
         say(result.remark)
     return DONE if result.is_same else INPUT_ERROR
-
-
-def _several_files(count: int, arguments: Arguments) -> str:
-    """Return what is wrong with one file for a robot that becomes several."""
-    path = arguments.options.get("output", "-")
-    if goes_to_standard_output(arguments):
-        path = os.path.basename(arguments.words[0])
-    stem = os.path.splitext(path.removesuffix(".xacro"))[0]
-    folder = stem if stem not in ("", "-") else "robot"
-    return f"this robot becomes {count} files: '-o' needs a folder, as in {quote(f'-o {folder}/')}"

@@ -107,8 +107,12 @@ class Sample:
                 case ast.Pow():
                     return _power(left, right)
             raise NotComputed
-        if _is_power(node):
-            assert isinstance(node, ast.Call)
+        if (
+            isinstance(node, ast.Call)
+            and ast.unparse(node.func) in ("pow", "math.pow")
+            and len(node.args) == 2
+            and not node.keywords
+        ):
             base, exponent = map(self._value, node.args)
             return _power(base, exponent)
         if not _is_unknown(node):
@@ -190,16 +194,6 @@ def _power(base: float, exponent: float) -> float:
     return float(value)
 
 
-def _is_power(node: ast.AST) -> bool:
-    """Return whether a node is `pow(a, b)` or `math.pow(a, b)`."""
-    return (
-        isinstance(node, ast.Call)
-        and ast.unparse(node.func) in ("pow", "math.pow")
-        and len(node.args) == 2
-        and not node.keywords
-    )
-
-
 def _is_unknown(node: ast.AST) -> bool:
     """Return whether a node is a name, or what a mapping or list of a name has at a fixed place."""
     while isinstance(node, (ast.Attribute, ast.Subscript)):
@@ -261,17 +255,14 @@ class Degrees:
         sign = -1.0 if word.startswith("-$(") else 1.0
         bare = word.removeprefix("-") if sign < 0 else word
         if bare.startswith("$(") and bare.endswith(")"):
-            value = self._evaluated(bare[2:-1])
+            try:
+                value = self._of(ast.parse(bare[2:-1].strip(), mode="eval").body)
+            except (SyntaxError, ValueError, ArithmeticError):
+                return None
             return None if value is None else sign * value
         try:
             return float(word)
         except ValueError:
-            return None
-
-    def _evaluated(self, python: str) -> float | None:
-        try:
-            return self._of(ast.parse(python.strip(), mode="eval").body)
-        except (SyntaxError, ValueError, ArithmeticError):
             return None
 
     def _of(self, node: ast.expr) -> float | None:

@@ -299,7 +299,9 @@ class Variables:
             file = values_of(mesh).get("filename", "")
             folder, slash, _ = file.rpartition("/")
             if slash and folder.strip("/.:"):
-                folders.setdefault(_package_of(file), []).append(folder)
+                scheme, separator, rest = file.rpartition("://")
+                package = f"{scheme}{separator}{rest.partition('/')[0]}"
+                folders.setdefault(package, []).append(folder)
         for package, found in folders.items():
             if len(found) < FEWEST_MESHES:
                 continue
@@ -371,12 +373,6 @@ def _material_of(material: Element) -> dict[str, str]:
 
 def _all_named(root: Element, name: str) -> list[Element]:
     return [element for element in root.iter() if element.name == name]
-
-
-def _package_of(file: str) -> str:
-    """Return the beginning of a file's name that is one package or folder: `package://arm`."""
-    scheme, separator, rest = file.rpartition("://")
-    return f"{scheme}{separator}{rest.partition('/')[0]}"
 
 
 # --- files ------------------------------------------------------------------------------------

@@ -108,26 +108,24 @@ class Contents:
         if name in ("xacro:if", "xacro:unless"):
             return self.counts(node.children, around)
         if name == "xacro:insert_block":
-            return self._inserted(name_of(node), around)
+            block = name_of(node)
+            if around is not None and block in {own.lstrip("*") for own in around.blocks()}:
+                given = self.given(around, block)
+                if not given and block.endswith("origin"):
+                    return {"origin": (1, 1)}
+                if not given:
+                    raise UnknownContent
+                return _any_of([self._once((around, block, id(c)), n, a) for c, n, a in given])
+            if block in self._blocks:
+                blocks = self._blocks[block]
+                return _any_of([self._once(id(each), each.children, None) for each in blocks])
+            raise UnknownContent
         if name == "xacro:property":
             return {}
         macros = self._macros.get(called_by(node))
         if name in _UNKNOWN or macros is None:
             raise UnknownContent
         return _any_of([self._once(macro, macro.element.children, macro) for macro in macros])
-
-    def _inserted(self, name: str, around: Macro | None) -> Counts:
-        if around is not None and name in {own.lstrip("*") for own in around.blocks()}:
-            given = self.given(around, name)
-            if not given and name.endswith("origin"):
-                return {"origin": (1, 1)}
-            if not given:
-                raise UnknownContent
-            return _any_of([self._once((around, name, id(c)), n, a) for c, n, a in given])
-        if name in self._blocks:
-            blocks = self._blocks[name]
-            return _any_of([self._once(id(block), block.children, None) for block in blocks])
-        raise UnknownContent
 
     def _once(self, key: object, nodes: Iterable[object], around: Macro | None) -> Counts:
         """Return what nodes make that are not looked at already: what calls itself has no end."""

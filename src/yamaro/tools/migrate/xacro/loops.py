@@ -29,7 +29,6 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from ....xacro.statements import Parameter
     from ....xml.tree import Node
     from .program import Macro, XacroProgram
     from .python import Translator
@@ -230,41 +229,28 @@ class _Reader:
         self._properties = [own for own in inside if own.name == "xacro:property"]
         self._defined = {name_of(own) for own in self._properties}
         self._outside = set().union(*map(assigned_in, program.roots.values()))
-        self._check_names()
-        self.changed = self._changes()
-
-    # --- the pieces -----------------------------------------------------------------------------
-
-    def _check_names(self) -> None:
-        """Hold that what is defined in the macro is its own, and that its parameters stay."""
+        # what is defined in the macro has to be its own, and its parameters to stay
         for own in self._properties:
             require(set(own.attributes) <= {"name", "value", "lazy_eval"})
             require("value" in own.attributes)
-        require(all(own.isidentifier() for own in (*self._defined, *self._macro.values())))
-        require(not (self._defined | self._outside) & set(self._macro.values()))
-
-    def _changes(self) -> dict[str, str]:
-        """Return the arguments of the call that are not the parameters as they are."""
+        require(all(own.isidentifier() for own in (*self._defined, *macro.values())))
+        require(not (self._defined | self._outside) & set(macro.values()))
         given = {name: format_value(value) for name, value in self.call.attributes.items()}
-        require(set(given) <= set(self._macro.values()))
-        changed: dict[str, str] = {}
-        for own in self._macro.parameters:
-            if own.is_block:
-                continue
-            if own.name not in given:
-                require(own.is_forwarded)
-            elif self._python(given[own.name]) != own.name:
-                changed[own.name] = given[own.name]
-        self._check_blocks([own for own in self._macro.parameters if own.is_block])
-        return changed
-
-    def _check_blocks(self, blocks: list[Parameter]) -> None:
-        """Hold that the call hands the blocks on as they are."""
-        given = self.call.elements()
-        require(len(given) == len(blocks))
-        for own, element in zip(blocks, given, strict=True):
-            require(own.name[1:] == element.attributes.get("name") and own.name[1] != "*")
+        require(set(given) <= set(macro.values()))
+        self.changed: dict[str, str] = {}
+        for parameter in macro.parameters:
+            name = parameter.name
+            if name in given and self._python(given[name]) != name:
+                self.changed[name] = given[name]
+            require(name in given or parameter.is_forwarded or parameter.is_block)
+        # blocks have to be handed on as they are
+        blocks, handed = macro.blocks(), self.call.elements()
+        require(len(handed) == len(blocks))
+        for block, element in zip(blocks, handed, strict=True):
+            require(block[1:] == element.attributes.get("name") and block[1] != "*")
             require(element.name == "xacro:insert_block")
+
+    # --- the pieces -----------------------------------------------------------------------------
 
     def _python(self, text: str) -> str:
         """Return the expression that is all of a text, as Python; an empty text if none is."""

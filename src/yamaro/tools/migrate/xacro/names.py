@@ -101,7 +101,15 @@ class HiddenArguments:
             handed = redefined & assigned_in(macro.element)
             self.replaced |= handed
             self.everywhere |= {name for name in hides if name in inherited} | handed
-        self.everywhere &= read | _read_again(roots, main, self.replaced)
+        for path, root in roots.items():
+            # a property that is made of the argument after it was something else reads that, too
+            known = self.replaced.copy() if path == main else None
+            for own in properties_in(root):
+                if own.is_of_argument and (known is None or own.name in known):
+                    read.add(own.name)
+                if known is not None:
+                    known.add(own.name)
+        self.everywhere &= read
         inside_macros = set().union(
             *(
                 arguments_in(macro.element, with_own=True) & self._in_macros[id(macro.element)]
@@ -119,25 +127,6 @@ def _redefined(root: Element, without: Container[int] = ()) -> set[str]:
     """Return the properties set in an element to something else than the argument of that name."""
     properties = properties_in(root, without)
     return {own.name for own in properties if own.name and not own.is_of_argument}
-
-
-def _read_again(roots: Mapping[str, Element], main: str, known: Container[str]) -> set[str]:
-    """Return the names whose property is made of the argument after it was something else.
-
-    Args:
-        roots: the root elements of the files, by path.
-        main: the path of the main file.
-        known: the names of the properties that other files or macros set to something else.
-    """
-    found: set[str] = set()
-    for path, root in roots.items():
-        defined: set[str] = set()
-        for own in properties_in(root):
-            is_first = path == main and own.name not in defined and own.name not in known
-            if own.is_of_argument and not is_first:
-                found.add(own.name)
-            defined.add(own.name)
-    return found
 
 
 # --- files that read a name of another file ---------------------------------------------------

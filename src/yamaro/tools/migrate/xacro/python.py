@@ -205,7 +205,10 @@ class Translator:
             replaced = self._call_of_namespace(node, edits, bound)
             if replaced:
                 return
-            if node.func.attr in METHODS and not self._is_module(node.func.value):
+            if node.func.attr in METHODS and not (
+                isinstance(node.func.value, ast.Name)
+                and node.func.value.id in ("math", "python", "xacro")
+            ):
                 self._look_at(node.func.value, edits, bound)
                 for argument in (*node.args, *node.keywords):
                     self._look_at(argument, edits, bound)
@@ -283,9 +286,6 @@ class Translator:
         self._look_at(node.value, edits, bound)
         edits.replace_after(node.value, node, f"[{node.attr!r}]")
 
-    def _is_module(self, node: ast.AST) -> bool:
-        return isinstance(node, ast.Name) and node.id in ("math", "python", "xacro")
-
     def _without_templates(self, text: str) -> str:
         """Return an expression with the `$(…)` and `${…}` in it as Python."""
         if "$" not in text:
@@ -318,7 +318,11 @@ class Translator:
             else:
                 out.append(python)
         out.append(text[position:])
-        return _without_empty("".join(out))
+        text = "".join(out)
+        # leave out the empty texts that are added to others
+        for empty in ("''", '""'):
+            text = text.replace(f"{empty} + ", "").replace(f" + {empty}", "")
+        return text
 
     def _read_again(self, expression: str, python: str) -> str:
         """Return an expression whose text xacro puts into another, where it is read as Python."""
@@ -428,13 +432,6 @@ def _parsed(text: str) -> Template:
 
 _SPACES = re.compile(r"""('[^'\n]*'|"[^"\n]*")|\s{2,}|\n""")
 """Texts in Python, and the space between other things that takes more than one character."""
-
-
-def _without_empty(text: str) -> str:
-    """Return Python without the empty texts that are added to others."""
-    for empty in ("''", '""'):
-        text = text.replace(f"{empty} + ", "").replace(f" + {empty}", "")
-    return text
 
 
 def _environment(words: Sequence[str]) -> str:

@@ -598,7 +598,10 @@ def _add_blocks(writer: FileWriter, node: Element, macro: Macro, arguments: Body
         elif isinstance(child, Comment):
             add_loose(child, remarks, endings)
     arguments.opening = remarks.opening
-    if len(blocks) != len(given) or _has_choice(blocks, given):
+    if len(blocks) != len(given) or any(
+        block.startswith("**") and child.name in _CONDITIONS
+        for block, child in zip(blocks, given, strict=False)
+    ):
         _add_chosen(writer, macro, node, arguments)
         return
     for block, child, remark in zip(blocks, given, remarks, strict=True):
@@ -618,14 +621,6 @@ def _add_blocks(writer: FileWriter, node: Element, macro: Macro, arguments: Body
             arguments.append(Entry(name, content, remark.comment))
             arguments.note_end(remark.ending)
     arguments.note(remarks.remark)
-
-
-def _has_choice(blocks: list[str], given: list[Element]) -> bool:
-    """Return whether the content of a block, without the element itself, is in a condition."""
-    return any(
-        block.startswith("**") and child.name in _CONDITIONS
-        for block, child in zip(blocks, given, strict=False)
-    )
 
 
 def _add_chosen(writer: FileWriter, macro: Macro, node: Element, arguments: Body) -> None:

@@ -174,7 +174,15 @@ class FileWriter(ElementWriter):
             if isinstance(node, Comment):
                 add_loose(node, body, endings)
             elif isinstance(node, Text):
-                self._write_text(node, body)
+                written = format_value(node.value)
+                text = tidy_text(written)
+                message = self._message(text)
+                if message is not None:
+                    body.add("print", message)
+                elif text:
+                    text = self._text(text, node.span)
+                    before, after = " " * written[0].isspace(), " " * written[-1].isspace()
+                    body.add("<#text>", f"{before}{text}{after}")
             elif isinstance(node, Element):
                 body.latest = None
                 try:
@@ -200,18 +208,6 @@ class FileWriter(ElementWriter):
             return False
         writer = self.part_writer()
         return frames.take(writer.spelled(link), writer.spelled(joint), writer, body)
-
-    def _write_text(self, node: Text, body: Body) -> None:
-        """Write a text between elements; the space around it keeps it from others."""
-        written = format_value(node.value)
-        text = tidy_text(written)
-        message = self._message(text)
-        if message is not None:
-            body.add("print", message)
-        elif text:
-            text = self._text(text, node.span)
-            before, after = " " * written[0].isspace(), " " * written[-1].isspace()
-            body.add("<#text>", f"{before}{text}{after}")
 
     def _steps(self, nodes: list[Node], endings: Endings) -> Iterable[Step]:
         """Return what is written one after the other: links with their joints, where they stand."""
