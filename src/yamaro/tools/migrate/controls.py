@@ -13,7 +13,7 @@ from .document import Body, Entry, Quoted
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    pass
 
 STATE = "initial"
 """The name of the state with the initial values."""
@@ -58,8 +58,16 @@ def use_control(sections: Body) -> bool:
     if len(blocks) != 1:
         return False
     states = Body(in_braces=True)
+    joints: dict[str, tuple[str, Body]] = {}
+    for part in model:
+        if part.key == "part" and isinstance(part.value, Body):
+            name = next((str(own.value) for own in part.value if own.key == "name"), "")
+            first, space, _ = name.partition(" ")
+            for own in part.value:
+                if own.key == "joint" and isinstance(own.value, Body) and name:
+                    joints[first if space else f"{name}_joint"] = first, own.value
     try:
-        control = _control(blocks[0], dict(_joints_of(model)), states)
+        control = _control(blocks[0], joints, states)
     except _NoControl:
         return False
     model.entries.remove(blocks[0])
@@ -67,17 +75,6 @@ def use_control(sections: Body) -> bool:
         sections.add("states", Body([Entry(STATE, states)]))
     sections.append(control)
     return True
-
-
-def _joints_of(model: Body) -> Iterator[tuple[str, tuple[str, Body]]]:
-    """Return the joints of a model's parts by name: what they are called, and what is in them."""
-    for part in model:
-        if part.key == "part" and isinstance(part.value, Body):
-            name = next((str(own.value) for own in part.value if own.key == "name"), "")
-            for own in part.value:
-                if own.key == "joint" and isinstance(own.value, Body) and name:
-                    first, space, _ = name.partition(" ")
-                    yield (first if space else f"{name}_joint"), (first, own.value)
 
 
 def _control(block: Entry, joints: dict[str, tuple[str, Body]], states: Body) -> Entry:

@@ -281,7 +281,8 @@ class Choices:
                 return None
             pieces.append(("name", "") if folder is None else ("text", folder))
         own = "".join(own for kind, own in pieces if kind == "text")
-        if ("name", "") in pieces and not _is_telling(os.path.basename(own)):
+        stem = os.path.basename(own)[: os.path.basename(own).rfind(".")]
+        if ("name", "") in pieces and not any(char.isalnum() for char in stem):
             return None
         return pieces
 
@@ -358,11 +359,6 @@ class Choices:
         for alias in self.aliases(name):
             found |= self._compared.get(alias, {}).keys()
         return {value.strip("'") for value in found}
-
-
-def _is_telling(name: str) -> bool:
-    """Return whether what is known of the name of a file is more than its ending."""
-    return any(char.isalnum() for char in name[: name.rfind(".")])
 
 
 def tree_of(expression: str) -> ast.expr | None:

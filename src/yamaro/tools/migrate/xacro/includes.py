@@ -181,7 +181,9 @@ def _computed_name(
     filename = computed.start + computed.rest
     named = writer.program.files.names_of(node)
     is_relative = not any(os.path.isabs(name) for name in named)
-    for base in _bases(writer) if named else ():
+    # the name may be relative to a macro's file, or to the one that calls it
+    folders = map(os.path.dirname, [writer.path, *writer.program.roots])
+    for base in dict.fromkeys(folders) if named else ():
         name = _name_from(writer, node, computed, named, base)
         if name:
             return name
@@ -197,7 +199,9 @@ def _computed_name(
         writer.lose(node.span, why, "the include is an error where it is reached")
         return f"$({python}).yaml"
     by_name = {name: sources[path] for name, path in named.items() if path in sources}
-    if not all(_is_in_known_folder(writer, name) for name in by_name):
+    found = [*writer.program.runs.packages.values(), _current_folder(writer)]
+    starts = tuple(f"{known}/" for known in found if known)  # found wherever the sources are
+    if any(os.path.isabs(name) and not name.startswith(starts) for name in by_name):
         why = f"which file '{filename}' means is computed"
         hint = "the sources know it by its path on this machine; any other is an error"
         writer.lose(node.span, why, hint)
@@ -206,7 +210,8 @@ def _computed_name(
         python = python if python.isidentifier() else f"({python})"
         return f"$({python}.removesuffix({ending!r})).yaml"
     keys = [f"{_as_python(writer, name)}: {by_name[name]!r}" for name in by_name]
-    return f"$({{{', '.join(keys)}}}.get({python}, {_in_sum(python)} + '.yaml'))"
+    term = f"({python})" if " if " in python or " or " in python else python
+    return f"$({{{', '.join(keys)}}}.get({python}, {term} + '.yaml'))"
 
 
 def _is_pattern(filename: str) -> bool:
@@ -222,15 +227,6 @@ def _likely(writer: FileWriter, folder: str) -> dict[str, str]:
         return {}
     name = os.path.relpath(output, os.path.dirname(writer.output_of(writer.path)) or ".")
     return {os.path.join(folder, "x.xacro"): os.path.normpath(os.path.join(name, "x.yaml"))}
-
-
-def _bases(writer: FileWriter) -> list[str]:
-    """Return the folders that the name of an included file may be relative to.
-
-    In a macro that is the folder of the file that calls it.
-    """
-    folders = [writer.path, *writer.program.roots]
-    return list(dict.fromkeys(map(os.path.dirname, folders)))
 
 
 def _name_from(
@@ -274,14 +270,6 @@ def _common_ending(by_name: dict[str, str]) -> str | None:
     return None
 
 
-def _is_in_known_folder(writer: FileWriter, name: str) -> bool:
-    """Return whether a file is named by a folder that is found wherever the sources are."""
-    folders = [*writer.program.runs.packages.values(), _current_folder(writer)]
-    return not os.path.isabs(name) or any(
-        name.startswith(f"{folder}/") for folder in folders if folder
-    )
-
-
 def _current_folder(writer: FileWriter) -> str:
     """Return the current folder if names of files may begin with it; "" if not."""
     documents = writer.program.files.documents.values()
@@ -300,11 +288,6 @@ def _as_python(writer: FileWriter, name: str) -> str:
     if not folder:
         return repr(name)
     return f"cwd + {name[len(folder) :]!r}" if name.startswith(f"{folder}/") else repr(name)
-
-
-def _in_sum(python: str) -> str:
-    """Return an expression as a part of a sum."""
-    return python if " if " not in python and " or " not in python else f"({python})"
 
 
 def _with_names(writer: FileWriter, node: Element, path: str, file: str) -> Body | None:

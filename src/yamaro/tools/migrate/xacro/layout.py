@@ -73,10 +73,10 @@ class Layout:
         }
         foreign = {}
         for path in program.roots:
-            package = self.package_of(path)
-            if package != self._own and self._may_be_found(*package):
+            name, folder = package = self.package_of(path)
+            if package != self._own and name and program.files.finds(name) == folder:
                 foreign[path] = package
-                if package[0] in plan.wanted or ALL in plan.wanted:
+                if name in plan.wanted or ALL in plan.wanted:
                     self.brought[path] = ASKED
         # bring along the files of other packages that cannot be included alone
         names = {own: _Names(self._program, own) for own in self._program.roots}
@@ -158,10 +158,6 @@ class Layout:
         holding = [name for name, own in known.items() if f"{folder}/".startswith(f"{own}/")]
         name = max(holding, key=lambda name: len(known[name]), default="")
         return name, known.get(name, "")
-
-    def _may_be_found(self, name: str, folder: str) -> bool:
-        """Return whether an include can name a file by its package."""
-        return bool(name) and self._program.files.finds(name) == folder
 
     # --- outputs --------------------------------------------------------------------------------
 

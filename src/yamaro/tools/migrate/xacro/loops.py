@@ -511,15 +511,12 @@ def _without_loose_end(work: list[Node], changes: dict[str, str]) -> list[Node]:
     end = len(work)
     while end and not changes and not isinstance(work[end - 1], Element):
         end -= 1
-    return (
-        work[:end]
-        if all(isinstance(own, Comment) or _is_blank(own) for own in work[end:])
-        else work
-    )
-
-
-def _is_blank(node: Node) -> bool:
-    return isinstance(node, Text) and not format_value(node.value).strip()
+    for own in work[end:]:
+        if not isinstance(own, Comment) and (
+            not isinstance(own, Text) or format_value(own.value).strip()
+        ):
+            return work
+    return work[:end]
 
 
 def _is_surely_read(node: Node, name: str) -> bool:

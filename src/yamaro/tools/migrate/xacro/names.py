@@ -310,7 +310,12 @@ class Passing:
                 self._find_calls(child, macro, children[:index], ())
         for root in program.roots.values():
             self._find_calls(root, None, [], ())
-        self._reads = {macro: self._read_by(macro) for macro in macros}
+        self._reads: dict[Macro, set[str]] = {}
+        for macro in macros:
+            element = macro.element
+            body = Element(element.name, element.span, {}, element.children)
+            used = used_in(body, self._nested) | program.forwarded_in(body, self._nested)
+            self._reads[macro] = used - self._own[macro] - program.at_top
 
     def _find_calls(
         self,
@@ -330,13 +335,6 @@ class Passing:
             around = (*around, macro)
         for child in element.elements():
             self._find_calls(child, caller, before, around)
-
-    def _read_by(self, macro: Macro) -> set[str]:
-        """Return the names in the body of a macro that are not its own."""
-        element = macro.element
-        body = Element(element.name, element.span, {}, element.children)
-        used = used_in(body, self._nested) | self._program.forwarded_in(body, self._nested)
-        return used - self._own[macro] - self._program.at_top
 
     def add_parameters(self) -> None:
         """Give macros the parameters that they need, and note the defaults that calls pass."""

@@ -199,7 +199,11 @@ def write_property(writer: FileWriter, node: Element, body: Body) -> None:
     text = given.get("value", given.get("default", ""))
     if is_argument(text, name) and name not in writer.here.hides:
         return
-    if not _may_be_evaluated(writer, node, text):
+    is_known = writer.program.files.can_be_evaluated(node)
+    if is_known is None:  # no run has shown it: is there all that it is made of?
+        there = writer.here.visible | PREDEFINED | writer.program.assigned_from_inside
+        is_known = names_in(text) <= there
+    if not is_known:  # xacro evaluates only what is read
         body.note(f"not evaluated: {name}: {text}")
         if name in writer.here.read:
             writer.lose(node.span, f"nothing defines what the property '{name}' is made of")
@@ -265,16 +269,6 @@ def _is_handed_down(writer: FileWriter, name: str, macro: Macro | None) -> bool:
     return macro is not None and name in writer.callees.read_below(macro)
 
 
-def _may_be_evaluated(writer: FileWriter, node: Element, text: str) -> bool:
-    """Return whether all that a value is made of is there: xacro evaluates only what is read."""
-    known = writer.program.files.can_be_evaluated(node)
-    if known is not None:
-        return known
-    return names_in(text) <= (
-        writer.here.visible | PREDEFINED | writer.program.assigned_from_inside
-    )
-
-
 def write_macro(writer: FileWriter, node: Element, body: Body) -> None:
     """Write a macro as a function."""
     name = name_of(node).removeprefix("xacro:")
@@ -290,6 +284,7 @@ def write_macro(writer: FileWriter, node: Element, body: Body) -> None:
     required: list[str] = []
     optional: list[str] = []
     blocks: list[str] = []
+    listed = format_value(macro.element.attributes.get("params"))
     for own in macro.parameters:
         if own.is_block:
             blocks.append("**" + block_name(writer, own.name.lstrip("*")))
@@ -297,7 +292,7 @@ def write_macro(writer: FileWriter, node: Element, body: Body) -> None:
             required.append(own.name)
         elif own.default is not None:
             optional.append(f"{own.name}={_default(writer, own)}")
-        elif macro.element.attributes["params"] and _has_empty_default(macro, own):
+        elif "=" in listed[own.start : own.end + 2]:
             optional.append(f"{own.name}=''")
         else:
             required.append(own.name)
@@ -306,14 +301,27 @@ def write_macro(writer: FileWriter, node: Element, body: Body) -> None:
         function.add("input", Row(inputs))
     place = writer.write_for_parts if writer.contents.may_be_in_part(macro) else None
     with writer.at(writer.here.in_macro(macro, writer.program, place)):
-        content = _loop(writer, macro) or writer.statements(node.children)
+        content = Body()
+        loop = find_loop(macro, writer.program, writer.translator)
+        if loop is not None:
+            writer.here.visible = writer.here.visible | {loop.iterator}
+            content = loop.body(writer.statements, writer.translator.value)
+        content = content or writer.statements(node.children)
     shared = [
         own
         for own in macro.values()
         if _is_handed_down(writer, own, macro) and not writer.callees.is_set_for_all(own, macro)
     ]
-    if shared:
-        _declare_first(content, [Entry(f"{own}/child", f"$({own})") for own in shared])
+    if shared:  # they are declared in front of all that is in the macro
+        variables = [Entry(f"{own}/child", f"$({own})") for own in shared]
+        first = content.entries[0] if content.entries else None
+        if first is not None and first.key == "variables" and not first.comment:
+            assert isinstance(first.value, Body)
+            own_names = names_of(first.value)
+            variables = [each for each in variables if not names_of([each]) & own_names]
+            first.value.entries[:0] = variables
+        else:
+            content.entries.insert(0, Entry("variables", Body(variables)))
     move_opening(content, function)
     function.add("body", content or None)
     key = macro.function + writer.scope_of(f"xacro:{name}")
@@ -322,15 +330,6 @@ def write_macro(writer: FileWriter, node: Element, body: Body) -> None:
     body.remark = ""
     target.add(key, function)
     body.latest = target.latest
-
-
-def _loop(writer: FileWriter, macro: Macro) -> Body | None:
-    """Return the content of a macro that calls itself as a loop, if it can be one."""
-    loop = find_loop(macro, writer.program, writer.translator)
-    if loop is None:
-        return None
-    writer.here.visible = writer.here.visible | {loop.iterator}
-    return loop.body(writer.statements, writer.translator.value)
 
 
 def _default(writer: FileWriter, own: Parameter) -> str:
@@ -346,22 +345,6 @@ def _default(writer: FileWriter, own: Parameter) -> str:
     ):
         return "'" + value.replace("'", "''") + "'"
     return value
-
-
-def _declare_first(content: Body, variables: list[Entry]) -> None:
-    """Declare variables in front of all that is in a body."""
-    first = content.entries[0] if content.entries else None
-    if first is not None and first.key == "variables" and not first.comment:
-        assert isinstance(first.value, Body)
-        own = names_of(first.value)
-        first.value.entries[:0] = [each for each in variables if not names_of([each]) & own]
-        return
-    content.entries.insert(0, Entry("variables", Body(variables)))
-
-
-def _has_empty_default(macro: Macro, own: Parameter) -> bool:
-    text = format_value(macro.element.attributes["params"])[own.start : own.end + 2]
-    return ":=" in text or "=" in text
 
 
 # --- conditions: opposite ones are joined, variables of both get conditional values -----------

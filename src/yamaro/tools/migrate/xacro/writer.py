@@ -46,7 +46,7 @@ from .statements import (
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Iterator
+    from collections.abc import Callable, Iterator
     from contextlib import AbstractContextManager
 
     from ....source import Span
@@ -169,7 +169,8 @@ class FileWriter(ElementWriter):
         endings = comments_at_ends(nodes)
         nodes = in_order(nodes, endings, self.program)
         frames = Frames()
-        for step in self._steps(nodes, endings):
+        has_parts = not self.here.is_in_element and self.here.place is None
+        for step in in_steps(nodes, endings, self.contents) if has_parts else map(Step, nodes):
             node = step.node
             if isinstance(node, Comment):
                 add_loose(node, body, endings)
@@ -209,12 +210,6 @@ class FileWriter(ElementWriter):
         writer = self.part_writer()
         return frames.take(writer.spelled(link), writer.spelled(joint), writer, body)
 
-    def _steps(self, nodes: list[Node], endings: Endings) -> Iterable[Step]:
-        """Return what is written one after the other: links with their joints, where they stand."""
-        if self.here.is_in_element or self.here.place is not None:
-            return map(Step, nodes)
-        return in_steps(nodes, endings, self.contents)
-
     def _statement(self, node: Element, step: Step, body: Body) -> None:
         if is_statement(node):
             handler = _HANDLERS.get(node.name, write_call)
@@ -224,18 +219,15 @@ class FileWriter(ElementWriter):
         elif node.name != "link" or self.here.is_in_element:
             body.append(self.entry(node))
         else:
-            for entry in self._part(node, step):
-                body.append(entry)
-
-    def _part(self, link: Element, step: Step) -> list[Entry]:
-        """Return a link and its joint as a part, or as the elements that they are."""
-        known = len(self.lost)
-        part = self.part_writer().entry(link, step.joint, joint_first=step.is_joint_first)
-        if part is not None:
-            return [part]
-        del self.lost[known:]
-        both = [link] if step.joint is None else [step.joint, link]
-        return [self.entry(each) for each in (both if step.is_joint_first else both[::-1])]
+            known = len(self.lost)
+            part = self.part_writer().entry(node, step.joint, joint_first=step.is_joint_first)
+            if part is not None:
+                body.append(part)
+                return
+            del self.lost[known:]
+            both = [node] if step.joint is None else [step.joint, node]
+            for each in both if step.is_joint_first else both[::-1]:
+                body.append(self.entry(each))
 
     def part_writer(self) -> XacroPartWriter:
         """Return what writes parts, or what comes to be in them, at this place."""
