@@ -20,7 +20,7 @@ from .context import ParseContext, Rules
 from .names import bad_variable_name, is_identifier, name_hint, python_name
 from .nodes import Constant, DictValue, Document, ListValue, Value, VariablesNode
 from .python import Template
-from .values import Pairs, pairs_of, parse_value, refuse_twice
+from .values import pairs_of, parse_value, refuse_twice
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -416,18 +416,16 @@ def refuse_variables_of_same_name(document: Document, context: ParseContext) -> 
     places = {entry.name: entry.span for entry in document.arguments or ()}
     for section in document.sections:
         for variable in section.entries if isinstance(section, VariablesNode) else ():
-            if isinstance(variable.name, str) and variable.name in places:
-                context.attempt(_refuse_variable, variable.name, variable.span, places)
-
-
-def _refuse_variable(name: str, span: Span, places: dict[str, Span]) -> None:
-    raise failure(
-        "given-twice",
-        f"'{name}' is an argument and a variable of this file",
-        span,
-        hint="keep only the argument, and write its default there",
-        notes=[f"the argument is declared at {places[name].place()}"],
-    )
+            name = variable.name
+            if isinstance(name, str) and name in places:
+                fault = failure(
+                    "given-twice",
+                    f"'{name}' is an argument and a variable of this file",
+                    variable.span,
+                    hint="keep only the argument, and write its default there",
+                    notes=[f"the argument is declared at {places[name].place()}"],
+                )
+                context.keep(fault)
 
 
 def arguments_of(source: Source) -> list[ArgumentEntry] | None:
@@ -441,17 +439,13 @@ def arguments_of(source: Source) -> list[ArgumentEntry] | None:
     context = ParseContext(Reporter(), Rules())
     document = Document(source)
     root = read(source, reporter=context.reporter)
-    for key, node in root.pairs if isinstance(root, MappingNode) else _pairs_of_list(root):
-        if key.text == "arguments":
-            context.attempt(parse_arguments, node, document, context)
+    for item in root.items if isinstance(root, SequenceNode) else [root]:
+        for key, node in item.pairs if isinstance(item, MappingNode) else ():
+            if key.text == "arguments":
+                context.attempt(parse_arguments, node, document, context)
     if context.errors:
         raise YamaroError(context.errors)
     return document.arguments
-
-
-def _pairs_of_list(root: YamlNode) -> Pairs:
-    items = root.items if isinstance(root, SequenceNode) else []
-    return [pair for item in items if isinstance(item, MappingNode) for pair in item.pairs]
 
 
 # --- one entry ----------------------------------------------------------------------------------
@@ -460,7 +454,17 @@ def _pairs_of_list(root: YamlNode) -> Pairs:
 def _parse_entry(
     key: ScalarNode, node: YamlNode, document: Document, context: ParseContext
 ) -> ArgumentEntry:
-    name = _name_of(key)
+    name = key.text.strip()
+    if not is_identifier(name):
+        hint: str | None = name_hint(name)
+        if "$(" in name:
+            hint = "arguments are read without running the file, so their names cannot be computed"
+        before, slash, scope = name.partition("/")
+        if slash and is_identifier(before):
+            passed = f"`variables: {{NAME/{scope}: $({before})}}`"
+            hint = f"an argument has no scope; pass it on with {passed}"
+        raise failure("bad-variable-name", bad_variable_name(name), key.span(), hint=hint)
+    name = python_name(name)
     earlier = document.argument_spans.get(name)
     if earlier is not None:
         raise failure(
@@ -479,21 +483,6 @@ def _parse_entry(
     if entry.default is not None and is_literal(entry.default):
         _checked(entry, entry.default)
     return entry
-
-
-def _name_of(key: ScalarNode) -> str:
-    name = key.text.strip()
-    if is_identifier(name):
-        return python_name(name)
-    hint = name_hint(name)
-    if "$(" in name:
-        hint = "arguments are read without running the file, so their names cannot be computed"
-    before, slash, scope = name.partition("/")
-    if slash and is_identifier(before):
-        hint = (
-            f"an argument has no scope; pass it on with `variables: {{NAME/{scope}: $({before})}}`"
-        )
-    raise failure("bad-variable-name", bad_variable_name(name), key.span(), hint=hint)
 
 
 def _parse_long(entry: ArgumentEntry, node: MappingNode, context: ParseContext) -> None:

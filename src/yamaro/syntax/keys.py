@@ -149,9 +149,9 @@ def _parse_attribute(
     equals = find_outside(text, "=,", start, end)
     if equals < 0 or text[equals] == ",":
         _refuse_bare(key, start, equals if equals >= 0 else end)
-    first, last = _trim(text, start, equals)
+    first, last = trim(text, start, equals)
     if last > first and text[last - 1] == ":":
-        first, last = _trim(text, first, last - 1)
+        first, last = trim(text, first, last - 1)
     name = parse_name(key, first, last, what="attribute", context=context)
     begin = equals + 1
     while begin < end and text[begin].isspace():
@@ -162,7 +162,7 @@ def _parse_attribute(
     else:
         comma = find_outside(text, ",", begin, end)
         comma = end if comma < 0 else comma
-        value_start, value_end = _trim(text, begin, comma)
+        value_start, value_end = trim(text, begin, comma)
     value = parse_template(key, value_start, value_end, context=context)
     is_empty = value_end <= value_start
     attribute = Attribute(
@@ -200,7 +200,7 @@ def _end_of_quoted(key: ScalarNode, begin: int, end: int) -> tuple[int, int]:
 
 
 def _refuse_bare(key: ScalarNode, start: int, end: int) -> None:
-    first, last = _trim(key.text, start, end)
+    first, last = trim(key.text, start, end)
     word = key.text[first:last]
     if not word:
         raise failure(
@@ -275,7 +275,8 @@ class PlainKeyPlaces:
         return self._places.get(attribute)
 
 
-def _trim(text: str, start: int, end: int) -> tuple[int, int]:
+def trim(text: str, start: int, end: int) -> tuple[int, int]:
+    """Return a stretch of a text without the space at its ends."""
     while start < end and text[start].isspace():
         start += 1
     while end > start and text[end - 1].isspace():

@@ -60,13 +60,7 @@ def parse_leaf(key: ScalarNode, node: YamlNode, context: ParseContext) -> Statem
         code = compile_statements(node, context.rules)
         context.codes.append(code)
         return ProcessNode(code, key.span())
-    return _parse_text_or_comment(word.strip("<>"), node, context)
-
-
-def _parse_text_or_comment(
-    word: str, node: YamlNode, context: ParseContext
-) -> TextNode | CommentNode:
-    """Return the text or comment that stands under `<#text>` or `<#comment>`."""
+    word = word.strip("<>")  # `<#text>` or `<#comment>`
     if not isinstance(node, ScalarNode):
         raise failure(
             "not-a-text",
@@ -75,8 +69,7 @@ def _parse_text_or_comment(
             hint="use one such entry for each text",
         )
     text = "" if is_empty(node) else parse_template(node, context=context)
-    make = TextNode if word == "#text" else CommentNode
-    return make(text, node.span())
+    return (TextNode if word == "#text" else CommentNode)(text, node.span())
 
 
 # --- `include`: a path, a namespace, and what is passed to the file ---------------------------
@@ -135,7 +128,15 @@ def parse_include_of(key: ScalarNode, pairs: Pairs, context: ParseContext) -> In
     for own, value in rest + given:
         refuse_twice(seen.get(own.text), own, "include")
         seen[own.text] = (own, value)
-        argument = Argument(_argument_name(own, context), None, own.span())
+        name = own.text.strip()
+        if "$" not in name and not is_identifier(name):
+            raise failure(
+                "bad-argument",
+                f"'{name}' cannot be the name of a variable that is passed to the file",
+                own.span(),
+                hint=name_hint(name),
+            )
+        argument = Argument(parse_argument_name(own, context), None, own.span())
         argument.value = parse_value(value, context)
         arguments.append(argument)
     path_span = path_pair[1].span()
@@ -146,18 +147,6 @@ def parse_include_of(key: ScalarNode, pairs: Pairs, context: ParseContext) -> In
         namespace_span=namespace_pair[1].span() if namespace_pair else None,
         path_span=path_span,
         span=key.span(),
-    )
-
-
-def _argument_name(key: ScalarNode, context: ParseContext) -> str:
-    name = key.text.strip()
-    if "$" in name or is_identifier(name):
-        return parse_argument_name(key, context)
-    raise failure(
-        "bad-argument",
-        f"'{name}' cannot be the name of a variable that is passed to the file",
-        key.span(),
-        hint=name_hint(name),
     )
 
 

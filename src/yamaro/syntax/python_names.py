@@ -13,7 +13,7 @@ from .python import expression_without_dollars, ros_words
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Sequence
+    from collections.abc import Iterator, Sequence
 
     from .python import PythonCode
 
@@ -65,7 +65,7 @@ def names_in_text(text: str, *, is_block: bool) -> list[NameInPython]:
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return []
     places = _Places(opening + text, len(opening))
-    return sorted(_Walk(places).run(tree), key=lambda each: each.start)
+    return sorted(_walk(tree, places), key=lambda each: each.start)
 
 
 class _Places:
@@ -86,73 +86,43 @@ class _Places:
         return self._starts[line - 1] + column - self._added
 
 
-class _Walk:
-    """One walk through a syntax tree, however deep it is."""
-
-    def __init__(self, places: _Places) -> None:
-        self._places = places
-        self._found: list[NameInPython] = []
-        self._pending: list[tuple[ast.AST, frozenset[str]]] = []  # with the names hidden there
-
-    def run(self, tree: ast.AST) -> list[NameInPython]:
-        self._pending.append((tree, frozenset()))
-        while self._pending:
-            self._visit(*self._pending.pop())
-        return self._found
-
-    def _visit(self, node: ast.AST, hidden: frozenset[str]) -> None:
-        if isinstance(node, ast.Name):
-            self._add_name(node, hidden)
-        elif isinstance(node, (ast.Lambda, ast.FunctionDef, ast.AsyncFunctionDef)):
-            self._visit_function(node, hidden)
-            return
-        elif isinstance(node, ast.ClassDef):
-            hidden |= _stored_in(node.body)
-        elif isinstance(node, (ast.ListComp, ast.SetComp, ast.GeneratorExp, ast.DictComp)):
-            hidden |= frozenset(name for each in node.generators for name in _targets(each.target))
-        elif isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
-            self._add_attribute(node, node.value, hidden)
-        self._visit_later(ast.iter_child_nodes(node), hidden)
-
-    def _visit_later(self, nodes: Iterable[ast.AST], hidden: frozenset[str]) -> None:
-        self._pending += [(node, hidden) for node in nodes]
-
-    def _visit_function(
-        self, node: ast.Lambda | ast.FunctionDef | ast.AsyncFunctionDef, hidden: frozenset[str]
-    ) -> None:
-        arguments = node.args
-        own = [each.arg for each in (*arguments.posonlyargs, *arguments.args)]
-        own += [each.arg for each in arguments.kwonlyargs]
-        own += [each.arg for each in (arguments.vararg, arguments.kwarg) if each is not None]
-        inner = hidden | frozenset(own)
-        defaults = (*arguments.defaults, *arguments.kw_defaults)
-        self._visit_later((each for each in defaults if each is not None), hidden)
-        if isinstance(node, ast.Lambda):
-            self._visit_later([node.body], inner)
-            return
-        start = self._places.index(node.lineno, node.col_offset)
-        keyword = "async def " if isinstance(node, ast.AsyncFunctionDef) else "def "
-        if node.name not in hidden:
-            at = start + len(keyword)
-            self._found.append(NameInPython(node.name, at, is_assigned=True, owner=None))
-        self._visit_later(node.body, inner | _stored_in(node.body))
-
-    def _add_name(self, node: ast.Name, hidden: frozenset[str]) -> None:
-        if node.id in hidden:
-            return
-        start = self._places.index(node.lineno, node.col_offset)
-        is_assigned = not isinstance(node.ctx, ast.Load)
-        self._found.append(
-            NameInPython(python_name(node.id), start, is_assigned=is_assigned, owner=None)
-        )
-
-    def _add_attribute(self, node: ast.Attribute, value: ast.Name, hidden: frozenset[str]) -> None:
-        if value.id in hidden or node.end_lineno is None or node.end_col_offset is None:
-            return
-        end = self._places.index(node.end_lineno, node.end_col_offset)
-        self._found.append(
-            NameInPython(node.attr, end - len(node.attr), is_assigned=False, owner=value.id)
-        )
+def _walk(tree: ast.AST, places: _Places) -> Iterator[NameInPython]:
+    """Yield the names in a syntax tree, however deep it is."""
+    pending: list[tuple[ast.AST, frozenset[str]]] = [(tree, frozenset())]
+    while pending:
+        node, hidden = pending.pop()
+        match node:
+            case ast.Name(name) if name not in hidden:
+                start = places.index(node.lineno, node.col_offset)
+                is_assigned = not isinstance(node.ctx, ast.Load)
+                yield NameInPython(python_name(name), start, is_assigned=is_assigned, owner=None)
+            case ast.Attribute(ast.Name(owner), name) if owner not in hidden:
+                if node.end_lineno is not None and node.end_col_offset is not None:
+                    end = places.index(node.end_lineno, node.end_col_offset)
+                    start = end - len(name)
+                    yield NameInPython(name, start, is_assigned=False, owner=owner)
+            case ast.ClassDef():
+                hidden |= _stored_in(node.body)
+            case ast.ListComp() | ast.SetComp() | ast.GeneratorExp() | ast.DictComp():
+                targets = [each for own in node.generators for each in ast.walk(own.target)]
+                hidden |= {each.id for each in targets if isinstance(each, ast.Name)}
+            case ast.Lambda() | ast.FunctionDef() | ast.AsyncFunctionDef():
+                own = node.args
+                listed = (*own.posonlyargs, *own.args, *own.kwonlyargs, own.vararg, own.kwarg)
+                inner = hidden | {each.arg for each in listed if each is not None}
+                defaults = (*own.defaults, *own.kw_defaults)
+                pending += [(each, hidden) for each in defaults if each is not None]
+                if isinstance(node, ast.Lambda):
+                    pending.append((node.body, inner))
+                    continue
+                keyword = "async def " if isinstance(node, ast.AsyncFunctionDef) else "def "
+                if node.name not in hidden:
+                    start = places.index(node.lineno, node.col_offset) + len(keyword)
+                    yield NameInPython(node.name, start, is_assigned=True, owner=None)
+                inner |= _stored_in(node.body)
+                pending += [(each, inner) for each in node.body]
+                continue
+        pending += [(each, hidden) for each in ast.iter_child_nodes(node)]
 
 
 def _stored_in(body: Sequence[ast.stmt]) -> frozenset[str]:
@@ -170,9 +140,3 @@ def _stored_in(body: Sequence[ast.stmt]) -> frozenset[str]:
             continue
         pending.extend(ast.iter_child_nodes(node))
     return frozenset(found)
-
-
-def _targets(node: ast.AST) -> Iterator[str]:
-    for each in ast.walk(node):
-        if isinstance(each, ast.Name):
-            yield each.id

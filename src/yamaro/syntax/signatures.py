@@ -6,7 +6,7 @@ from ..diagnostics import failure
 from ..source import Span
 from ..yaml.nodes import MappingNode, ScalarNode
 from .context import ParseContext
-from .keys import find_outside
+from .keys import find_outside, trim
 from .names import bad_variable_name, is_function_name, is_identifier, name_hint, python_name
 from .nodes import SCOPES, Argument, FunctionNode, Parameter, Value, VariableEntry, VariablesNode
 from .python import parse_template
@@ -60,7 +60,17 @@ def parse_variables(key: ScalarNode, node: YamlNode, context: ParseContext) -> V
         if isinstance(entry.name, str):
             earlier = entries.get(entry.name)
             if earlier is not None:
-                context.attempt(_join_entries, earlier, entry)
+                if earlier.scope == entry.scope:
+                    earlier.values.extend(entry.values)
+                    continue
+                scopes = f"{earlier.scope} and {entry.scope}"
+                fault = failure(
+                    "given-twice",
+                    f"'{entry.name}' is declared here with two scopes, {scopes}",
+                    entry.span,
+                    notes=[f"first declared at {earlier.span.place()}"],
+                )
+                context.keep(fault)
                 continue
             entries[entry.name] = entry
         every.append(entry)
@@ -88,17 +98,6 @@ def variable_name(name: str, span: Span) -> str:
     if not is_identifier(name):
         raise failure("bad-variable-name", bad_variable_name(name), span, hint=name_hint(name))
     return python_name(name)
-
-
-def _join_entries(earlier: VariableEntry, entry: VariableEntry) -> None:
-    if earlier.scope != entry.scope:
-        raise failure(
-            "given-twice",
-            f"'{entry.name}' is declared here with two scopes, {earlier.scope} and {entry.scope}",
-            entry.span,
-            notes=[f"first declared at {earlier.span.place()}"],
-        )
-    earlier.values.extend(entry.values)
 
 
 # --- `input`, and the arguments of calls ------------------------------------------------------
@@ -152,7 +151,7 @@ def parse_input(node: YamlNode, context: ParseContext) -> list[Parameter]:
 
 def _parse_parameter(node: ScalarNode, start: int, end: int, context: ParseContext) -> Parameter:
     text = node.text
-    start, end = _trim(text, start, end)
+    start, end = trim(text, start, end)
     written = text[start:end]
     if not written:
         raise failure(
@@ -217,7 +216,7 @@ def parse_short_arguments(node: ScalarNode, context: ParseContext) -> list[Argum
     arguments: list[Argument] = []
     text = node.text
     for start, end in split_inline(node):
-        start, end = _trim(text, start, end)
+        start, end = trim(text, start, end)
         if start == end:
             raise failure(
                 "bad-argument",
@@ -268,14 +267,6 @@ def parse_argument_name(key: ScalarNode, context: ParseContext) -> str:
         if isinstance(name, str)
         else "the names of arguments are fixed; compute their values",
     )
-
-
-def _trim(text: str, start: int, end: int) -> tuple[int, int]:
-    while start < end and text[start].isspace():
-        start += 1
-    while end > start and text[end - 1].isspace():
-        end -= 1
-    return start, end
 
 
 def refuse_repeated(arguments: Iterable[Argument]) -> None:

@@ -317,17 +317,13 @@ def parse_arguments(name: str, node: YamlNode, context: ParseContext) -> list[Ar
 def _parse_argument(key: ScalarNode, node: YamlNode, context: ParseContext) -> Argument:
     name = parse_argument_name(key, context)
     argument = Argument(name, node, key.span())
-    if name[0].isupper() and (is_empty(node) or _is_body(node)):
+    items = node.items if isinstance(node, SequenceNode) else [node]
+    is_body = is_empty(node) or all(isinstance(item, MappingNode) for item in items)
+    if name[0].isupper() and is_body:
         argument.block = parse_body(node, f"the block {name}", context)
     else:
         argument.value = parse_value(node, context)
     return argument
-
-
-def _is_body(node: YamlNode) -> bool:
-    if isinstance(node, SequenceNode):
-        return all(isinstance(item, MappingNode) for item in node.items)
-    return isinstance(node, MappingNode)
 
 
 # --- control flow -----------------------------------------------------------------------------

@@ -26,8 +26,7 @@ from .python import PythonCode
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
-    from typing import Any
+    from collections.abc import Iterable
 
 FILE, FUNCTION, BLOCK = "file", "function", "block"
 """The kinds of contexts."""
@@ -169,9 +168,7 @@ class SymbolTable:
         pending: list[tuple[object, Context]] = [(document, self.file)]
         while pending:
             node, context = pending.pop()
-            visit = _VISITS.get(type(node))
-            if visit is not None:
-                context = visit(self, node, context) or context
+            context = self._visit(node, context)
             inner = [each for each in children(node) if type(each) in _VISITED]
             pending += [(each, context) for each in reversed(inner)]
 
@@ -245,20 +242,48 @@ class SymbolTable:
         self.declarations.append(found)
         context.declared.setdefault(name, []).append(found)
 
-    def _import(self, node: ImportNode, context: Context) -> None:
-        names = node.names or [(node.module, node.alias or node.module.split(".")[0])]
-        for _, alias in names:
-            self._declare(alias, IMPORTED, _name_in(node.span, alias), context, node=node)
+    def _visit(self, node: object, context: Context) -> Context:
+        """Note what a node declares or uses, and return the context in it."""
+        match node:
+            case Body():
+                return self._blocks.get(id(node), context)
+            case PythonCode():
+                self._codes.append((node, context))
+            case CallNode():
+                self._visit_call(node, context)
+            case InsertNode():
+                span = _name_in(node.span, node.name)
+                self._uses.append(Use(node.name, span, context, is_called=True))
+            case VariableEntry():
+                if isinstance(node.name, str):
+                    span = _name_in(node.span, node.name)
+                    self._declare(node.name, VARIABLE, span, context, node=node, scope=node.scope)
+                self.has_computed |= not isinstance(node.name, str)
+            case ForNode():
+                for name, span in zip(node.names, node.name_spans, strict=True):
+                    self._declare(name, ITERATOR, span, context, node=node)
+            case FunctionNode():
+                return self._visit_function(node, context)
+            case IncludeNode():
+                self._visit_include(node, context)
+            case ProcessNode():
+                from .python_names import names_in_code
 
-    def _arguments(self, node: Document, context: Context) -> None:
-        for entry in node.arguments or ():
-            span = _name_in(entry.span, entry.name)
-            self._declare(entry.name, ARGUMENT, span, context, node=entry)
+                for found in names_in_code(node.code):
+                    if found.is_assigned and not context.find(found.name, is_called=False):
+                        span = node.code.span(found.start, found.start + len(found.name))
+                        self._declare(found.name, ASSIGNED, span, context, node=node)
+            case ImportNode():
+                names = node.names or [(node.module, node.alias or node.module.split(".")[0])]
+                for _, alias in names:
+                    self._declare(alias, IMPORTED, _name_in(node.span, alias), context, node=node)
+            case Document():
+                for entry in node.arguments or ():
+                    span = _name_in(entry.span, entry.name)
+                    self._declare(entry.name, ARGUMENT, span, context, node=entry)
+        return context
 
-    def _code(self, code: PythonCode, context: Context) -> None:
-        self._codes.append((code, context))
-
-    def _call(self, node: CallNode, context: Context) -> None:
+    def _visit_call(self, node: CallNode, context: Context) -> None:
         space, _, name = node.name.rpartition(".")
         at = node.span.start + (node.span.written().find(node.name) if node.name else 0)
         if space:
@@ -280,18 +305,7 @@ class SymbolTable:
                 block.callee = node.name
                 self.contexts.append(block)
 
-    def _body(self, node: Body, context: Context) -> Context:
-        return self._blocks.get(id(node), context)
-
-    def _insert(self, node: InsertNode, context: Context) -> None:
-        span = _name_in(node.span, node.name)
-        self._uses.append(Use(node.name, span, context, is_called=True))
-
-    def _for(self, node: ForNode, context: Context) -> None:
-        for name, span in zip(node.names, node.name_spans, strict=True):
-            self._declare(name, ITERATOR, span, context, node=node)
-
-    def _include(self, node: IncludeNode, context: Context) -> None:
+    def _visit_include(self, node: IncludeNode, context: Context) -> None:
         path = node.path if isinstance(node.path, str) else node.path_span.written().strip("'\" ")
         is_known = isinstance(node.path, str) or path.startswith(("$(find ", "$(find-pkg-share "))
         self.includes.append(Include(node, path if is_known else None, context))
@@ -303,14 +317,7 @@ class SymbolTable:
                 span = _name_in(argument.span, argument.name)
                 self._uses.append(Use(argument.name, span, context, owner=node))
 
-    def _variable(self, node: VariableEntry, context: Context) -> None:
-        if isinstance(node.name, str):
-            span = _name_in(node.span, node.name)
-            self._declare(node.name, VARIABLE, span, context, node=node, scope=node.scope)
-        else:
-            self.has_computed = True
-
-    def _function(self, node: FunctionNode, context: Context) -> Context:
+    def _visit_function(self, node: FunctionNode, context: Context) -> Context:
         span = _name_in(node.span, node.name)
         self._declare(node.name, FUNCTION_NAME, span, context, node=node, scope=node.scope)
         inner = Context(FUNCTION, context, node.span.start, node.end)
@@ -321,31 +328,9 @@ class SymbolTable:
             self._declare(parameter.name, kind, span, inner, node=parameter)
         return inner
 
-    def _process(self, node: ProcessNode, context: Context) -> None:
-        from .python_names import names_in_code
-
-        for found in names_in_code(node.code):
-            if found.is_assigned and not context.find(found.name, is_called=False):
-                span = node.code.span(found.start, found.start + len(found.name))
-                self._declare(found.name, ASSIGNED, span, context, node=node)
-
 
 _BY_OTHERS = (IMPORTED, ASSIGNED, NAMESPACE)
-_VISITS: dict[type, Callable[[SymbolTable, Any, Context], Context | None]] = {
-    Body: SymbolTable._body,
-    ImportNode: SymbolTable._import,
-    Document: SymbolTable._arguments,
-    PythonCode: SymbolTable._code,
-    CallNode: SymbolTable._call,
-    InsertNode: SymbolTable._insert,
-    ForNode: SymbolTable._for,
-    IncludeNode: SymbolTable._include,
-    VariableEntry: SymbolTable._variable,
-    FunctionNode: SymbolTable._function,
-    ProcessNode: SymbolTable._process,
-}
-"""The methods that note what a node declares or uses; they return the context in it, if any."""
-_VISITED = _VISITS.keys() | CHILDREN.keys()
+_VISITED = CHILDREN.keys() | {PythonCode, ImportNode}
 
 
 def _name_in(span: Span, name: str) -> Span:
