@@ -167,7 +167,8 @@ def move_block_scalar(written: str, *, old: int, new: int) -> BlockScalar:
     sign, _, remark = match.groups()
     digits = [int(char) for char in sign if char.isdigit()]
     is_last_broken = not lines or not lines[-1].strip(" ")
-    indent = old + digits[0] if digits else _indent_of(lines)
+    first = next((line for line in lines if line.strip(" ")), max(lines, key=len, default=""))
+    indent = old + digits[0] if digits else len(first) - len(first.lstrip(" "))
     target = new + digits[0] if digits else new + 2
     if lines and not lines[-1].strip(" ") and len(lines[-1]) <= indent:
         lines.pop()  # the white space before what follows, or nothing at the end of the file
@@ -183,13 +184,6 @@ def move_block_scalar(written: str, *, old: int, new: int) -> BlockScalar:
         has_blank_end=not is_keeping and count > len(moved),
         is_open=not is_last_broken and "-" not in sign,
     )
-
-
-def _indent_of(lines: list[str]) -> int:
-    for line in lines:
-        if line.strip(" "):
-            return len(line) - len(line.lstrip(" "))
-    return max(map(len, lines), default=0)
 
 
 def _with_breaks(lines: list[str], breaks: list[str]) -> list[str]:

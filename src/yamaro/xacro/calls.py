@@ -10,12 +10,9 @@ from .tidying import lift_prefixes
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Any
 
     from ..xml.tree import Node
     from .expansion import Expansion
-    from .places import XacroPlace
-    from .statements import Parameter
 
 
 def call_macro(expansion: Expansion, node: Element, site: Site) -> None:
@@ -77,21 +74,20 @@ def _call(expansion: Expansion, node: Element, name: str, site: Site) -> None:
             trace=expansion.frame,
         )
     macro, outer_macros, outer_scope = found
-    scope = expansion.scope(outer_scope)
-    missing = list(macro.parameters)
+    call = Call(expansion, node, macro, expansion.scope(outer_scope), site)
     body = macro.element
-    _take_values(expansion, node, macro, missing, scope, site)
-    _take_blocks(expansion, node, macro, missing, scope, site)
+    call.take_values()
+    call.take_blocks()
     expansion.enter("called", PREFIX + name, node.span, macro.home)
-    _take_defaults(expansion, node, macro, missing, scope, site)
+    call.take_defaults()
     produced: list[Node] = []
     attributes: dict[str, object] = {}
     for key, value in body.attributes.items():  # xacro evaluates those of the definition, too
         place = expansion.place(body, key)
-        attributes[key] = expansion.evaluator.text(value, scope, place)  # type: ignore[arg-type]
+        attributes[key] = expansion.evaluator.text(value, call.scope, place)  # type: ignore[arg-type]
     attributes.pop("xmlns:xacro", None)
     holder = Element(body.name, body.span, attributes)
-    inside = Site(produced, holder, Macros(outer_macros), scope)
+    inside = Site(produced, holder, Macros(outer_macros), call.scope)
     expansion.children(body.children, inside)
     expansion.leave()
     leave_mark = expansion.leave_mark(node, site)
@@ -119,141 +115,124 @@ def _find(name: str, macros: Macros, scope: Scope) -> tuple[Macro, Macros, Scope
     return (found, macros, scope) if isinstance(found, Macro) else None
 
 
-def _take_values(
-    expansion: Expansion,
-    node: Element,
-    macro: Macro,
-    missing: list[Parameter],
-    scope: Scope,
-    site: Site,
-) -> None:
-    """Give the parameters that attributes name their values."""
-    for name, value in node.attributes.items():
-        for parameter in missing:
-            if parameter.name == name:
-                break
-        else:
-            known = [own.name for own in macro.parameters if not own.is_block]
-            raise failure(
-                "xacro-unknown-parameter",
-                f"the macro '{_name(macro)}' has no parameter '{name}'",
-                node.name_span(name),
-                hint=did_you_mean(name, known)
-                or (f"its parameters are {', '.join(known)}" if known else "it takes no values"),
-                notes=_defined(macro),
-                trace=expansion.frame,
-            )
-        missing.remove(parameter)
-        place = expansion.place(node, name)
-        given = expansion.evaluator.value(value, site.scope, place)  # type: ignore[arg-type]
-        assign(expansion, scope, name, given, place)
+class Call:
+    """A call of a macro, whose parameters get their values.
 
+    Attributes:
+        node: the tag that calls.
+        macro: what is called.
+        scope: that of the macro, which the values are put in.
+        site: where the call stands.
+        missing: the parameters without a value so far.
+    """
 
-def _take_blocks(
-    expansion: Expansion,
-    node: Element,
-    macro: Macro,
-    missing: list[Parameter],
-    scope: Scope,
-    site: Site,
-) -> None:
-    """Give the parameters that are blocks the elements in the call, in order."""
-    content: list[Node] = []
-    holder = Element(node.name, node.span)
-    if node.children:
-        inside = Site(content, holder, site.macros, site.scope)
-        expansion.children(node.children, inside)
-    blocks = [child for child in content if isinstance(child, Element)]
-    for parameter in [own for own in missing if own.is_block]:
-        if not blocks:
+    __slots__ = ("expansion", "macro", "missing", "node", "scope", "site")
+
+    def __init__(
+        self, expansion: Expansion, node: Element, macro: Macro, scope: Scope, site: Site
+    ) -> None:
+        self.expansion = expansion
+        self.node = node
+        self.macro = macro
+        self.scope = scope
+        self.site = site
+        self.missing = list(macro.parameters)
+
+    def take_values(self) -> None:
+        """Give the parameters that attributes name their values."""
+        expansion = self.expansion
+        for name, value in self.node.attributes.items():
+            for parameter in self.missing:
+                if parameter.name == name:
+                    break
+            else:
+                known = [own.name for own in self.macro.parameters if not own.is_block]
+                takes = f"its parameters are {', '.join(known)}" if known else "it takes no values"
+                raise failure(
+                    "xacro-unknown-parameter",
+                    f"the macro '{self.macro.name}' has no parameter '{name}'",
+                    self.node.name_span(name),
+                    hint=did_you_mean(name, known) or takes,
+                    notes=self._notes(),
+                    trace=expansion.frame,
+                )
+            self.missing.remove(parameter)
+            place = expansion.place(self.node, name)
+            given = expansion.evaluator.value(value, self.site.scope, place)  # type: ignore[arg-type]
+            assign(expansion, self.scope, name, given, place)
+
+    def take_blocks(self) -> None:
+        """Give the parameters that are blocks the elements in the call, in order."""
+        node = self.node
+        content: list[Node] = []
+        if node.children:
+            holder = Element(node.name, node.span)
+            inside = Site(content, holder, self.site.macros, self.site.scope)
+            self.expansion.children(node.children, inside)
+        blocks = [child for child in content if isinstance(child, Element)]
+        for parameter in [own for own in self.missing if own.is_block]:
+            if not blocks:
+                raise failure(
+                    "xacro-missing-block",
+                    f"the block '{parameter.name.lstrip('*')}' is missing",
+                    node.span,
+                    hint=f"it is an element in <{node.name}>",
+                    notes=self._notes(),
+                    trace=self.expansion.frame,
+                )
+            self.missing.remove(parameter)
+            self.scope.blocks[parameter.name] = blocks.pop(0)
+        if blocks:
             raise failure(
-                "xacro-missing-block",
-                f"the block '{parameter.name.lstrip('*')}' is missing",
-                node.span,
-                hint=f"it is an element in <{node.name}>",
-                notes=_defined(macro),
-                trace=expansion.frame,
+                "xacro-unused-block",
+                f"the macro '{self.macro.name}' takes no block for <{blocks[0].name}>",
+                blocks[0].span,
+                notes=self._notes(),
+                trace=self.expansion.frame,
             )
-        missing.remove(parameter)
-        scope.blocks[parameter.name] = blocks.pop(0)
-    if blocks:
-        raise failure(
-            "xacro-unused-block",
-            f"the macro '{_name(macro)}' takes no block for <{blocks[0].name}>",
-            blocks[0].span,
-            notes=_defined(macro),
-            trace=expansion.frame,
+
+    def take_defaults(self) -> None:
+        """Give the parameters that are left their defaults."""
+        expansion, scope = self.expansion, self.site.scope
+        defaults = {
+            own.name: own
+            for own in self.macro.parameters
+            if own.default is not None or own.is_forwarded
+        }
+        for parameter in list(self.missing):
+            name = parameter.name
+            known = defaults.get(name)
+            if known is None or known.is_block:
+                continue
+            place = expansion.place(self.macro.element, "params")
+            place.shift = known.start
+            if known.is_forwarded and scope.has(name):
+                value = scope[name]
+            elif known.default is not None:
+                place.shift = known.end - len(known.default)
+                value = expansion.evaluator.value(known.default, scope, place)
+            else:
+                raise self._lacking(
+                    f"there is no property '{name}' for the parameter '{name}' "
+                    f"of '{self.macro.name}'",
+                    f'the caller has to have it, or to give it: {name}="…"',
+                )
+            self.missing.remove(parameter)
+            assign(expansion, self.scope, name, value, place)
+        if self.missing:
+            names = ", ".join(f"'{own.name}'" for own in self.missing)
+            raise self._lacking(f"the macro '{self.macro.name}' is called without {names}")
+
+    def _lacking(self, message: str, hint: str | None = None) -> YamaroError:
+        frame = self.expansion.frame
+        return failure(
+            "xacro-missing-parameter",
+            message,
+            self.node.span,
+            hint=hint,
+            notes=self._notes(),
+            trace=frame.parent if frame else None,
         )
 
-
-def _take_defaults(
-    expansion: Expansion,
-    node: Element,
-    macro: Macro,
-    missing: list[Parameter],
-    scope: Scope,
-    site: Site,
-) -> None:
-    """Give the parameters that are left their defaults."""
-    defaults = {
-        own.name: own for own in macro.parameters if own.default is not None or own.is_forwarded
-    }
-    for parameter in list(missing):
-        known = defaults.get(parameter.name)
-        if known is None or known.is_block:
-            continue
-        place = expansion.place(macro.element, "params")
-        value = _default_of(known, place, expansion, node, macro, site)
-        missing.remove(parameter)
-        assign(expansion, scope, parameter.name, value, place)
-    if missing:
-        names = ", ".join(f"'{own.name}'" for own in missing)
-        raise _missing(
-            f"the macro '{_name(macro)}' is called without {names}", expansion, node, macro
-        )
-
-
-def _default_of(
-    known: Parameter,
-    place: XacroPlace,
-    expansion: Expansion,
-    node: Element,
-    macro: Macro,
-    site: Site,
-) -> Any:
-    """Return the default of a parameter, and move `place` to where it is written."""
-    name, default = known.name, known.default
-    place.shift = known.start
-    if known.is_forwarded and site.scope.has(name):
-        return site.scope[name]
-    if default is not None:
-        place.shift = known.end - len(default)
-        return expansion.evaluator.value(default, site.scope, place)
-    raise _missing(
-        f"there is no property '{name}' for the parameter '{name}' of '{_name(macro)}'",
-        expansion,
-        node,
-        macro,
-        hint=f'the caller has to have it, or to give it: {name}="…"',
-    )
-
-
-def _missing(
-    message: str, expansion: Expansion, node: Element, macro: Macro, hint: str | None = None
-) -> YamaroError:
-    return failure(
-        "xacro-missing-parameter",
-        message,
-        node.span,
-        hint=hint,
-        notes=_defined(macro),
-        trace=expansion.frame.parent if expansion.frame else None,
-    )
-
-
-def _defined(macro: Macro) -> tuple[str]:
-    return (f"'{_name(macro)}' is defined at {macro.element.span.place()}",)
-
-
-def _name(macro: Macro) -> str:
-    return str(macro.element.attributes["name"]).removeprefix(PREFIX)
+    def _notes(self) -> tuple[str]:
+        return (f"'{self.macro.name}' is defined at {self.macro.element.span.place()}",)

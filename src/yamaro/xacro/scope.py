@@ -190,6 +190,11 @@ class Macro:
         self.parameters = parameters
         self.home = home
 
+    @property
+    def name(self) -> str:
+        """Return what it is called, without `xacro:`."""
+        return str(self.element.attributes["name"]).removeprefix("xacro:")
+
 
 class Macros(dict[str, "Macro | Macros"]):
     """Macros by name, with those of the calls around, and namespaces by name."""
