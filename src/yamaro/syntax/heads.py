@@ -5,6 +5,7 @@ from __future__ import annotations
 from ..diagnostics import failure
 from ..yaml.brackets import find_close
 from ..yaml.nodes import ScalarNode, ScalarPiece
+from .keys import trim
 from .signatures import split_scope
 from .statements import parse_iterator
 from .values import is_empty, pairs_of, parse_bare_expression, parse_condition, split_inline
@@ -161,12 +162,7 @@ def _find_in(text: str) -> int | None:
 
 def _piece(key: ScalarNode, start: int, end: int) -> ScalarPiece:
     """Return part of a key, without the space around it."""
-    text = key.text
-    while start < end and text[start].isspace():
-        start += 1
-    while end > start and text[end - 1].isspace():
-        end -= 1
-    return ScalarPiece(key, start, end)
+    return ScalarPiece(key, *trim(key.text, start, end))
 
 
 # --- functions --------------------------------------------------------------------------------

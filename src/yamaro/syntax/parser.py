@@ -61,7 +61,16 @@ def parse_reading(
     context = ParseContext(reporter, rules)
     document = Document(source)
     if reading.root is not None:
-        context.attempt(_parse_whole, reading.root, document, context)
+        try:
+            context.attempt(_parse_root, reading.root, document, context)
+        except RecursionError:  # only where the caller's stack is a shallow one
+            fault = failure(
+                "too-deep",
+                "lists and mappings are nested too deep for the stack of this thread",
+                reading.root.span(),
+                hint="split the file with functions or `include`",
+            )
+            context.keep(fault)
     document.functions = context.functions
     document.bare_keys = context.bare_keys
     for python in context.codes:
@@ -98,18 +107,6 @@ def register(python: PythonCode, *, codes: dict[str, PythonCode], names_read: se
             if isinstance(constant, type(code)):
                 codes[code.co_filename] = python
                 pending.append(constant)
-
-
-def _parse_whole(root: YamlNode, document: Document, context: ParseContext) -> None:
-    try:
-        _parse_root(root, document, context)
-    except RecursionError:  # only where the caller's stack is a shallow one
-        raise failure(
-            "too-deep",
-            "lists and mappings are nested too deep for the stack of this thread",
-            root.span(),
-            hint="split the file with functions or `include`",
-        ) from None
 
 
 def _parse_root(root: YamlNode, document: Document, context: ParseContext) -> None:
@@ -317,7 +314,27 @@ def _parse_imports(node: YamlNode, document: Document, context: ParseContext) ->
 def _parse_import(node: ScalarNode, document: Document) -> None:
     words = node.text.split()
     if words and words[0] == "from":
-        document.imports.append(_parse_from(node, words))
+        if len(words) < 4 or words[2] != "import" or not _is_module(words[1]):
+            raise failure(
+                "bad-import",
+                f"'{node.text}' is not an import",
+                node.span(),
+                hint="write from math import pi, sin",
+            )
+        names: list[tuple[str, str]] = []
+        for piece in " ".join(words[3:]).strip("()").split(","):
+            parts = piece.split()
+            is_plain = len(parts) == 1 and is_identifier(parts[0])
+            is_alias = len(parts) == 3 and parts[1] == "as" and is_identifier(parts[2])
+            if not (is_plain or is_alias) or not is_identifier(parts[0]):
+                raise failure(
+                    "bad-import",
+                    f"'{piece.strip()}' is not a name to import",
+                    node.span(),
+                    hint="list the names: from math import pi, sin",
+                )
+            names.append((parts[0], parts[-1]))
+        document.imports.append(ImportNode(words[1], None, names, node.span()))
     else:
         for piece in node.text.split(","):
             document.imports.append(_parse_module(node, piece))
@@ -338,30 +355,6 @@ def _parse_module(node: ScalarNode, text: str) -> ImportNode:
     elif _is_module(text.strip().lstrip("./")):
         hint = f"write a module beside the file without a dot: {text.strip().lstrip('./')}"
     raise failure("bad-import", f"'{text.strip()}' cannot be imported", node.span(), hint=hint)
-
-
-def _parse_from(node: ScalarNode, words: list[str]) -> ImportNode:
-    if len(words) < 4 or words[2] != "import" or not _is_module(words[1]):
-        raise failure(
-            "bad-import",
-            f"'{node.text}' is not an import",
-            node.span(),
-            hint="write from math import pi, sin",
-        )
-    names: list[tuple[str, str]] = []
-    for piece in " ".join(words[3:]).strip("()").split(","):
-        parts = piece.split()
-        is_plain = len(parts) == 1 and is_identifier(parts[0])
-        is_alias = len(parts) == 3 and parts[1] == "as" and is_identifier(parts[2])
-        if not (is_plain or is_alias) or not is_identifier(parts[0]):
-            raise failure(
-                "bad-import",
-                f"'{piece.strip()}' is not a name to import",
-                node.span(),
-                hint="list the names: from math import pi, sin",
-            )
-        names.append((parts[0], parts[-1]))
-    return ImportNode(words[1], None, names, node.span())
 
 
 def _is_module(text: str) -> bool:

@@ -159,19 +159,13 @@ def _compile(python: PythonCode, text: str, mode: str, message: str) -> None:
         span = _span_of_fault(python, text, fault)
         raise failure(fault.code, fault.message, span, hint=fault.hint) from None
     except (ValueError, OverflowError, RecursionError, MemoryError) as error:
+        is_deep = isinstance(error, (RecursionError, MemoryError))
         raise failure(
             "python-syntax",
-            f"{message}: {_reason(error)}",
+            f"{message}: {'it is nested too deeply' if is_deep else error}",
             python.span(),
             hint="split it into several steps with variables",
         ) from None
-
-
-def _reason(error: Exception) -> str:
-    """Return why Python does not compile a text that is spelled well."""
-    if isinstance(error, (RecursionError, MemoryError)):
-        return "it is nested too deeply"
-    return str(error)
 
 
 def _span_of_fault(python: PythonCode, text: str, fault: InputFault) -> Span:
@@ -192,7 +186,11 @@ def _syntax_failure(python: PythonCode, error: SyntaxError, message: str) -> Exc
     if error.end_offset and error.end_offset > 0 and error.end_lineno == error.lineno:
         end = max(python.position(line, error.end_offset - 1), start + 1)
     if isinstance(error, IndentationError):
-        span = _line_span(python, line)
+        # the line without its indentation: versions of Python differ in columns
+        start = python.position(line, 0)
+        text = python.text[start:].split("\n", 1)[0]
+        start += len(text) - len(text.lstrip())
+        span = python.span(start, start + max(len(text.strip()), 1))
     elif start >= len(python.text.rstrip()):
         span = python.span()
     else:
@@ -210,14 +208,6 @@ def _syntax_failure(python: PythonCode, error: SyntaxError, message: str) -> Exc
             hint="quote it if it is text",
         )
     return failure("python-syntax", f"{message}: {reason}", span, hint=_syntax_hint(python, reason))
-
-
-def _line_span(python: PythonCode, line: int) -> Span:
-    """Return the place of a line without its indentation: versions of Python differ in columns."""
-    start = python.position(line, 0)
-    text = python.text[start:].split("\n", 1)[0]
-    start += len(text) - len(text.lstrip())
-    return python.span(start, start + max(len(text.strip()), 1))
 
 
 def _syntax_hint(python: PythonCode, reason: str) -> str | None:

@@ -27,9 +27,8 @@ from .values import is_empty, pairs_of, parse_value, refuse_twice
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ..source import Span
     from ..yaml.nodes import YamlNode
-    from .nodes import Content, IncludeNode
+    from .nodes import Content
     from .python import Template
     from .values import Pairs
 
@@ -52,17 +51,12 @@ def parse_robot_word(key: ScalarNode, node: YamlNode, context: ParseContext) -> 
     for item in node.items if several and isinstance(node, SequenceNode) else [node]:
         parsed = inner.attempt(_parse_item, key, item, inner)
         if parsed is not None:
-            parsed.span = _first_place(item) if several else parsed.span
+            if several:  # the place of one is that of its first key
+                pairs = item.pairs if isinstance(item, MappingNode) else []
+                parsed.span = pairs[0][0].span() if pairs else item.span()
             word.items.append(parsed)
     word.faults = inner.errors
     return word
-
-
-def _first_place(item: YamlNode) -> Span:
-    """Return the place of one item of a list: that of its first key."""
-    first = item.pairs[0][0] if isinstance(item, MappingNode) and item.pairs else item
-    span: Span = first.span()
-    return span
 
 
 def parse_raw_block(key: ScalarNode, node: YamlNode, context: ParseContext) -> RobotWordNode:
@@ -102,24 +96,11 @@ def _parse_item(key: ScalarNode, node: YamlNode, context: ParseContext) -> Robot
     item.content = _data_of_pairs(own, context)
     if body is not None:
         item.body = context.attempt(parse_body, body[1], f"`{word}`", context)
-    if word == "attach":
-        item.include = _parse_attached(key, passed, body, context)
-        if item.include is not None:
-            prefixes = [name.span() for name, _ in own if name.text == "prefix"]
-            item.include.own_prefix = prefixes[0] if prefixes else None
-    return item
-
-
-def _parse_attached(
-    key: ScalarNode,
-    passed: Pairs,
-    body: tuple[ScalarNode, YamlNode] | None,
-    context: ParseContext,
-) -> IncludeNode | None:
-    """Return the include of the file that is attached, or None for a body."""
-    if body is None:
-        return parse_include_of(key, passed, context)
-    if passed:
+    if word == "attach" and body is None:
+        item.include = parse_include_of(key, passed, context)
+        prefixes = [name.span() for name, _ in own if name.text == "prefix"]
+        item.include.own_prefix = prefixes[0] if prefixes else None
+    elif word == "attach" and passed:
         first = passed[0][0]
         raise failure(
             "unknown-key",
@@ -127,7 +108,7 @@ def _parse_attached(
             first.span(),
             hint="keep `path` or `body`; a body sees the variables around it",
         )
-    return None
+    return item
 
 
 # --- data -------------------------------------------------------------------------------------

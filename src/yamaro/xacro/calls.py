@@ -10,7 +10,6 @@ from .tidying import lift_prefixes
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-
     from ..xml.tree import Node
     from .expansion import Expansion
 

@@ -116,8 +116,17 @@ def write_include(writer: FileWriter, node: Element, body: Body) -> None:
         paths = [path for path in paths if path not in theirs]
         if not paths:
             return
-    if paths and computed is not None:
-        _tell_left_behind(writer, node, paths)
+    if paths and computed is not None and _is_pattern(filename):
+        if not writer.program.files.is_constant(node):
+            why = f"which files '{filename}' matches depends on arguments"
+            writer.lose(node.span, why, f"the sources always include {_shortly(paths)}")
+    elif paths and computed is not None:
+        left = writer.program.files.left_behind(node)
+        if left:
+            why = f"'{filename}' may name files that are not migrated: {_shortly(left)}"
+            known = f"migrated: {_shortly(paths)}"
+            hint = f"{known}; any other file is an error when the sources are built"
+            writer.lose(node.span, why, hint)
     folder = os.path.dirname(writer.output_of(writer.path))
     names = [literal(os.path.relpath(writer.output_of(path), folder)) for path in paths]
     if computed is None or _is_pattern(filename):
@@ -127,21 +136,6 @@ def write_include(writer: FileWriter, node: Element, body: Body) -> None:
     name = _computed_name(writer, node, computed, dict(zip(paths, names, strict=True)))
     path = paths[0] if paths else ""
     body.add("include", _in_namespace(writer, node, path, name) or name)
-
-
-def _tell_left_behind(writer: FileWriter, node: Element, paths: list[str]) -> None:
-    """Warn of files that an include might mean as well, and that are not migrated."""
-    filename = format_value(node.attributes["filename"])
-    if _is_pattern(filename):
-        if not writer.program.files.is_constant(node):
-            why = f"which files '{filename}' matches depends on arguments"
-            writer.lose(node.span, why, f"the sources always include {_shortly(paths)}")
-        return
-    left = writer.program.files.left_behind(node)
-    if left:
-        why = f"'{filename}' may name files that are not migrated: {_shortly(left)}"
-        hint = f"migrated: {_shortly(paths)}; any other file is an error when the sources are built"
-        writer.lose(node.span, why, hint)
 
 
 def _shortly(paths: list[str]) -> str:
@@ -189,7 +183,11 @@ def _computed_name(
             return name
     folder = writer.program.files.folder_meant(computed.start, node)
     if folder and not named and (computed.start or is_relative):
-        likely = sources or _likely(writer, folder)
+        likely = sources
+        output = writer.layout.folder_of(folder)
+        if not likely and output is not None:  # what a file in it would become, as those near do
+            near = os.path.relpath(output, os.path.dirname(writer.output_of(writer.path)) or ".")
+            likely = {os.path.join(folder, "x.xacro"): os.path.normpath(f"{near}/x.yaml")}
         name = computed.source(folder, likely, writer.translator.text)
         if name:
             return name
@@ -205,7 +203,19 @@ def _computed_name(
         why = f"which file '{filename}' means is computed"
         hint = "the sources know it by its path on this machine; any other is an error"
         writer.lose(node.span, why, hint)
-    ending = _common_ending(by_name)
+    # the ending without which names of files are those of their sources, if one is
+    ending = next(
+        (
+            ending
+            for ending in (".xacro", ".urdf.xacro", ".urdf", ".xml")
+            if all(
+                name.endswith(ending)
+                and name.removesuffix(ending) + ".yaml" == os.path.normpath(source)
+                for name, source in by_name.items()
+            )
+        ),
+        None,
+    )
     if ending is not None and is_relative:
         python = python if python.isidentifier() else f"({python})"
         return f"$({python}.removesuffix({ending!r})).yaml"
@@ -218,15 +228,6 @@ def _is_pattern(filename: str) -> bool:
     """Return whether a name means all files that it matches."""
     parts = [part for part in parse_template(filename).parts if isinstance(part, str)]
     return any(char in part for part in parts for char in "*?[")
-
-
-def _likely(writer: FileWriter, folder: str) -> dict[str, str]:
-    """Return the source that a file in a folder would become, as those do that lie near."""
-    output = writer.layout.folder_of(folder)
-    if output is None:
-        return {}
-    name = os.path.relpath(output, os.path.dirname(writer.output_of(writer.path)) or ".")
-    return {os.path.join(folder, "x.xacro"): os.path.normpath(os.path.join(name, "x.yaml"))}
 
 
 def _name_from(
@@ -256,18 +257,6 @@ def _name_from(
     start = os.path.relpath(output, os.path.dirname(writer.output_of(writer.path)) or ".")
     rest = writer.translator.text(source_name(computed.rest))
     return rest if start == "." else f"{start}/{rest}"
-
-
-def _common_ending(by_name: dict[str, str]) -> str | None:
-    """Return the ending without which names of files are those of their sources, if one is."""
-    for ending in (".xacro", ".urdf.xacro", ".urdf", ".xml"):
-        if all(
-            name.endswith(ending)
-            and name.removesuffix(ending) + ".yaml" == os.path.normpath(source)
-            for name, source in by_name.items()
-        ):
-            return ending
-    return None
 
 
 def _current_folder(writer: FileWriter) -> str:
