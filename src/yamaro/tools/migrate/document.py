@@ -74,6 +74,18 @@ class Body:
         """Return whether there is anything in it."""
         return bool(self.entries or self.remark or self.opening)
 
+    def bodies(self) -> Iterator[Body]:
+        """Yield it and all bodies in it, in order; entries may be changed meanwhile."""
+        yield self
+        for entry in list(self.entries):
+            if isinstance(entry.value, Body):
+                yield from entry.value.bodies()
+
+    def entries_below(self) -> Iterator[Entry]:
+        """Yield its entries and those of all bodies in it."""
+        for body in self.bodies():
+            yield from list(body.entries)
+
 
 Value = Body | str | None
 

@@ -368,9 +368,13 @@ def write_condition(writer: FileWriter, node: Element, body: Body) -> None:
         assert isinstance(last.value, Body)
         before = str(last.value.entries[0].value)
         are_opposite = before == negated(condition) or negated(before) == condition
-        changed = _declared_in(last.value)
-        if _may_change_others(last.value):
-            changed |= writer.program.assigned_from_inside
+        changed: set[str] = set()
+        for entry in last.value.entries_below():
+            if entry.key == "variables" and isinstance(entry.value, Body):
+                changed |= names_of(entry.value)
+            is_call = entry.key.startswith("$(") or entry.key.rpartition(".")[2][:1].isupper()
+            if entry.key == "include" or is_call:
+                changed |= writer.program.assigned_from_inside
         if are_opposite and not names_in(text) & changed:
             if not _join_variables(writer, last, content, body):
                 body.add("else", content)
@@ -449,28 +453,6 @@ def _python_of(value: object) -> str | None:
         return None
     meant = str(value) if isinstance(value, Quoted) else type_plain(value)
     return str(meant).lower() if isinstance(meant, bool) else repr(meant)
-
-
-def _declared_in(body: Body) -> set[str]:
-    """Return the names of the variables declared in a body, however deep."""
-    names: set[str] = set()
-    for entry in body:
-        if isinstance(entry.value, Body):
-            if entry.key == "variables":
-                names |= names_of(entry.value)
-            names |= _declared_in(entry.value)
-    return names
-
-
-def _may_change_others(body: Body) -> bool:
-    """Return whether a body has calls or includes, which may set variables of others."""
-    return any(
-        entry.key == "include"
-        or entry.key.startswith("$(")
-        or entry.key.rpartition(".")[2][:1].isupper()
-        or (isinstance(entry.value, Body) and _may_change_others(entry.value))
-        for entry in body
-    )
 
 
 # --- calls, and the blocks that they pass and insert ------------------------------------------

@@ -47,7 +47,7 @@ def tidy(files: dict[str, Body], main: str, program: XacroProgram) -> None:
     times = Counter(
         stem_of(own)
         for sections in files.values()
-        for entry in entries_in(sections)
+        for entry in sections.entries_below()
         if entry.key == "variables" and isinstance(entry.value, Body)
         for own in entry.value
     )
@@ -68,7 +68,7 @@ def _drop_aliases(files: list[Body], names: set[str]) -> None:
     """Leave out arguments under names of their own that nothing reads."""
     used = {word for sections in files for word in _words_in(sections, in_keys=False)}
     for sections in files:
-        for body in bodies_in(sections):
+        for body in sections.bodies():
             for entry in [entry for entry in body if entry.key == "variables"]:
                 if isinstance(entry.value, Body):
                     _keep(
@@ -87,7 +87,7 @@ def _drop_parameters(files: list[Body], program: XacroProgram) -> None:
     computed = {
         word
         for sections in files
-        for entry in entries_in(sections)
+        for entry in sections.entries_below()
         if entry.key.startswith("$(")
         for word in _WORD.findall(entry.key)
     }
@@ -120,7 +120,7 @@ def _drop_parameters(files: list[Body], program: XacroProgram) -> None:
 
 
 def _drop_arguments(sections: Body, function: str, names: set[str]) -> None:
-    for entry in entries_in(sections):
+    for entry in sections.entries_below():
         if entry.key.rpartition(".")[2] == function and isinstance(entry.value, Body):
             _keep(entry.value, lambda own: own.key not in names)
             entry.value = entry.value or None
@@ -134,7 +134,7 @@ def _functions_in(files: list[Body]) -> dict[str, Body]:
     """Return the functions by name, without those of which there are several of a name."""
     found: dict[str, list[Body]] = {}
     for sections in files:
-        for entry in entries_in(sections):
+        for entry in sections.entries_below():
             if entry.key == "functions" and isinstance(entry.value, Body):
                 for function in entry.value:
                     if isinstance(function.value, Body):
@@ -153,7 +153,7 @@ def _drop_empty_files(files: dict[str, Body], main: str) -> None:
     includes = [
         path_of_include(entry)
         for sections in files.values()
-        for entry in entries_in(sections)
+        for entry in sections.entries_below()
         if entry.key == "include"
     ]
     if any("$(" in path for path in includes):
@@ -172,7 +172,7 @@ def _drop_empty_files(files: dict[str, Body], main: str) -> None:
         for path in empty:
             del files[path]
         for own, sections in files.items():
-            for body in bodies_in(sections):
+            for body in sections.bodies():
                 body.entries[:] = [
                     entry
                     for entry in body
@@ -219,7 +219,7 @@ def simplify_comparisons(files: Iterable[Body], truths: Collection[str]) -> None
         return f"{name} {operator} {literal}" if is_told_apart and not lower else found[0]
 
     for sections in files:
-        for entry in entries_in(sections):
+        for entry in sections.entries_below():
             if entry.key == "condition" and isinstance(entry.value, str):
                 entry.value = type(entry.value)(_COMPARED.sub(simplified, entry.value))
             elif "$(" in entry.key:
@@ -239,26 +239,12 @@ def _in_expressions(text: str, simplified: Callable[[re.Match[str]], str]) -> st
     )
 
 
-# --- walking --------------------------------------------------------------------------------------
-
-
-def bodies_in(body: Body) -> Iterator[Body]:
-    """Return a body and all in it."""
-    yield body
-    for entry in list(body):
-        if isinstance(entry.value, Body):
-            yield from bodies_in(entry.value)
-
-
-def entries_in(body: Body) -> Iterator[Entry]:
-    """Return the entries of a body and of all in it."""
-    for own in bodies_in(body):
-        yield from list(own)
+# --- words --------------------------------------------------------------------------------------
 
 
 def _words_in(body: Body, *, in_keys: bool) -> Iterator[str]:
     """Return all words in values, and in keys where these are expressions, or in all keys."""
-    for entry in entries_in(body):
+    for entry in body.entries_below():
         if in_keys or "$(" in entry.key:
             yield from _WORD.findall(entry.key)
         if isinstance(entry.value, str):
@@ -267,7 +253,7 @@ def _words_in(body: Body, *, in_keys: bool) -> Iterator[str]:
 
 def words_read(body: Body) -> Iterator[str]:
     """Return the words in values and expressions, without the names of parameters."""
-    for entry in entries_in(body):
+    for entry in body.entries_below():
         if "$(" in entry.key:
             yield from _WORD.findall(entry.key)
         if entry.key == "input" and isinstance(entry.value, Row):
@@ -380,7 +366,7 @@ def truths_declared(files: Mapping[str, Body], main: str) -> set[str]:
         if given.get("type") == BOOLEAN or (not is_text and default in ("true", "false")):
             truths.add(entry.key)
     for sections_of_file in files.values():
-        for entry in entries_in(sections_of_file):
+        for entry in sections_of_file.entries_below():
             if isinstance(entry.value, Row):
                 truths -= {piece.partition("=")[0].lstrip("*") for piece in entry.value.pieces}
             elif entry.key == "variables" and isinstance(entry.value, Body):
@@ -494,12 +480,13 @@ def _drop_alias(name: str, files: Mapping[str, Body], main: str) -> None:
     sections = files[main]
     variables = _root_variables(sections)
     alias = re.compile(rf"\barg_{name}\b")
-    mine = list(entries_in(sections))
+    mine = list(sections.entries_below())
     named = [own for own in mine if own.key == f"arg_{name}" and own.value == f"$({name})"]
     if variables is None or len(named) != 1 or named[0] not in variables.entries:
         return
-    others = [own for path in files if path != main for own in entries_in(files[path])]
-    declared = [own for body in bodies_in(sections) for own in _variables_in(body)]
+    others = [own for path in files if path != main for own in files[path].entries_below()]
+    sections_of_variables = [own.value for own in mine if own.key == "variables"]
+    declared = [own for body in sections_of_variables if isinstance(body, Body) for own in body]
     if (
         any(isinstance(own.value, Row) for own in mine)  # parameters of functions
         or [stem_of(own) for own in declared].count(name) > 1
@@ -512,12 +499,6 @@ def _drop_alias(name: str, files: Mapping[str, Body], main: str) -> None:
         own.key = alias.sub(name, own.key)
         if isinstance(own.value, str):
             own.value = type(own.value)(alias.sub(name, own.value))
-
-
-def _variables_in(body: Body) -> list[Entry]:
-    """Return the variables that a body declares."""
-    sections = [own.value for own in body if own.key == "variables"]
-    return [own for section in sections if isinstance(section, Body) for own in section]
 
 
 def _hand_on(sections: Body, shared: list[Entry]) -> None:
@@ -682,7 +663,7 @@ def _is_surely_text(node: ast.expr) -> bool:
 
 
 def _expressions_in(sections: Body) -> Iterator[_Expression]:
-    for entry in entries_in(sections):
+    for entry in sections.entries_below():
         if "$(" in entry.key:
             for text in _pieces(entry.key):
                 yield _Expression(text, VALUE, "")
@@ -734,7 +715,7 @@ def pass_on(name: str, files: Mapping[str, Body], main: str) -> bool:
     }
     included: dict[str, list[Entry]] = {path: [] for path in files}
     for path, sections in files.items():
-        for entry in entries_in(sections):
+        for entry in sections.entries_below():
             if entry.key == "variables" and isinstance(entry.value, Body):
                 if name in map(stem_of, entry.value):
                     return False
@@ -757,8 +738,8 @@ def _outside_of_functions(sections: Body) -> list[Entry]:
     """Return the entries of a file that are in no function."""
     inside = {
         id(own)
-        for entry in entries_in(sections)
+        for entry in sections.entries_below()
         if entry.key == "functions" and isinstance(entry.value, Body)
-        for own in entries_in(entry.value)
+        for own in entry.value.entries_below()
     }
-    return [entry for entry in entries_in(sections) if id(entry) not in inside]
+    return [entry for entry in sections.entries_below() if id(entry) not in inside]
