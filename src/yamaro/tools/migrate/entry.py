@@ -29,7 +29,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ...commands.arguments import Arguments
     from ...streams import Streams
-    from .job import Job, Result
+    from .job import Result
 
 COMMAND = Command(
     "migrate",
@@ -83,40 +83,36 @@ def run(arguments: Arguments, streams: Streams) -> int:
     refuse_overwriting(arguments, lambda: arguments.words)
     refuse_replacing(arguments, [arguments.output_path])
     try:
-        result = _job(arguments).run()
+        from . import urdf as command
+        from .job import Job
+        from .xacro.layout import ALL
+
+        path = arguments.words[0]
+        policy = make_policy(arguments)
+        data = read_bytes(path, policy.limits.file + 1)
+        source = command.read_file(path, policy.limits, data)
+        if goes_to_standard_output(arguments):
+            folder = os.path.dirname(source.path) or os.getcwd()
+        elif _wants_file(arguments):
+            folder = os.path.dirname(arguments.output_path)
+        else:
+            folder = arguments.output_path
+        job = Job(
+            source,
+            os.path.abspath(folder),
+            arguments=arguments.assignments,
+            packages=read_packages(arguments),
+            policy=policy,
+            exact=arguments.has("exact"),
+            wanted=(ALL,) if arguments.has("all") else arguments.lists.get("with", ()),
+        )
+        result = job.run()
     except YamaroError as error:
         show(error.diagnostics, arguments, streams)
         return INPUT_ERROR
     except UsageError as error:
         raise WrongUsage(str(error)) from None
     return _deliver(result, arguments, streams)
-
-
-def _job(arguments: Arguments) -> Job:
-    """Return what is to be migrated; raise YamaroError or UsageError if it cannot be read."""
-    from . import urdf as command
-    from .job import Job
-    from .xacro.layout import ALL
-
-    path = arguments.words[0]
-    policy = make_policy(arguments)
-    data = read_bytes(path, policy.limits.file + 1)
-    source = command.read_file(path, policy.limits, data)
-    if goes_to_standard_output(arguments):
-        folder = os.path.dirname(source.path) or os.getcwd()
-    elif _wants_file(arguments):
-        folder = os.path.dirname(arguments.output_path)
-    else:
-        folder = arguments.output_path
-    return Job(
-        source,
-        os.path.abspath(folder),
-        arguments=arguments.assignments,
-        packages=read_packages(arguments),
-        policy=policy,
-        exact=arguments.has("exact"),
-        wanted=(ALL,) if arguments.has("all") else arguments.lists.get("with", ()),
-    )
 
 
 def _wants_file(arguments: Arguments) -> bool:

@@ -197,11 +197,13 @@ def _write(
         attributes = {name: value for name, value in values_of(root).items() if is_used(name, used)}
         if variables.declared:
             sections.add("variables", variables.declared)
-        if model is None or list(attributes) != ["name"] or not _is_plain_name(attributes["name"]):
+        name = attributes.get("name", "").strip()
+        is_plain = bool(name) and attributes == {"name": name} and "\n" not in name
+        if model is None or not is_plain:
             key = element_key(root.name, attributes, bracketed="name" not in attributes)
             sections.add(key, elements.value(root) if model is None else model or None)
         else:
-            robot = Entry("robot", attributes["name"])
+            robot = Entry("robot", name)
             robot.ending, model.opening = model.opening, ""
             sections.entries.insert(0, robot)
             sections.add("model", model or None)
@@ -210,10 +212,6 @@ def _write(
         if len(plain) == known:
             has_control = with_control and use_control(sections)
             return write_document(sections, comments_above(document)), has_control
-
-
-def _is_plain_name(name: str) -> bool:
-    return bool(name) and name == name.strip() and "\n" not in name
 
 
 class _Model:
@@ -245,7 +243,9 @@ class _Model:
         for item in items:
             for node in item.above:
                 add_loose(node, body, endings)
-            if not self._is_taken(item, body):
+            link = item.element
+            may_be_frame = link.name == "link" and not self._is_plain(item)
+            if not may_be_frame or not self._frames.take(link, item.joint, self._parts, body):
                 for entry in self._entries(item):
                     body.append(entry)
             for node in item.beside:
@@ -253,12 +253,6 @@ class _Model:
         for node in loose:
             add_loose(node, body, endings)
         return body
-
-    def _is_taken(self, item: Item, body: Body) -> bool:
-        """Return whether an item became a frame of the part above it."""
-        if item.element.name != "link" or self._is_plain(item):
-            return False
-        return self._frames.take(item.element, item.joint, self._parts, body)
 
     def _entries(self, item: Item) -> list[Entry]:
         link, joint = item.element, item.joint

@@ -86,7 +86,9 @@ class Translator:
             if isinstance(part, str):
                 pieces.append(literal(part))
             elif isinstance(part, Substitution):
-                python = self._substitution(part.text)
+                words = part.text.split()
+                is_package = len(words) == 2 and words[0] == "find" and "$" not in part.text
+                python = " ".join(words) if is_package else self._command(part.text)
                 if part.text.startswith("eval ") and self._program.is_shown_as_truth(
                     re.sub(r"\$\{([^{}]*)\}", r"(\1)", part.text[5:])
                 ):
@@ -116,7 +118,13 @@ class Translator:
             name: of the variable or argument.
         """
         if len(text) > 1 and text[0] == text[-1] == "'" and "$" in text:
-            return self._quoted(text[1:-1])
+            # it is in quotes, so that it is not taken for a number
+            parts = _parsed(text[1:-1]).parts
+            first = parts[0].text if isinstance(parts[0], Substitution) else ""
+            own = first.removeprefix("arg").strip()
+            if len(parts) > 1 or not self._program.is_typed_argument(own):
+                return self.text(text[1:-1])
+            return f"$({self._as_text(self.argument(own))})"
         template = _parsed(text)
         if len(template.parts) == 1 and isinstance(template.parts[0], Expression):
             own = template.parts[0].text
@@ -137,16 +145,6 @@ class Translator:
                 return f"$({kind}({self._command(own)}))"
             return self._environment(own, always=name in self._program.computed) or self.text(text)
         return self.text(text)
-
-    def _quoted(self, text: str) -> str:
-        """Return a text that is in quotes, so that it is not taken for a number."""
-        parts = _parsed(text).parts
-        name = (
-            parts[0].text.removeprefix("arg").strip() if isinstance(parts[0], Substitution) else ""
-        )
-        if len(parts) > 1 or not self._program.is_typed_argument(name):
-            return self.text(text)
-        return f"$({self._as_text(self.argument(name))})"
 
     def _environment(self, content: str, *, always: bool) -> str | None:
         """Return a variable of the environment as xacro reads its text.
@@ -305,8 +303,13 @@ class Translator:
                 continue
             if found["inner"] is not None:
                 python = f"({self.expression(found['inner'])})"
-                if not quote:
-                    python = self._read_again(found["inner"].strip(), python)
+                own = found["inner"].strip()
+                kind = self._program.numbers.get(own)
+                # xacro puts its text into the other, where it is read as Python
+                if not quote and kind:
+                    python = f"{kind}{python}"
+                elif not quote and own in self._program.truth_texts:
+                    python = f"(str{python}.lower() == 'true')"
             else:
                 python = self._command(found["command"])
             if quote:
@@ -324,15 +327,6 @@ class Translator:
             text = text.replace(f"{empty} + ", "").replace(f" + {empty}", "")
         return text
 
-    def _read_again(self, expression: str, python: str) -> str:
-        """Return an expression whose text xacro puts into another, where it is read as Python."""
-        kind = self._program.numbers.get(expression)
-        if kind:
-            return f"{kind}{python}"
-        if expression in self._program.truth_texts:
-            return f"(str{python}.lower() == 'true')"
-        return python
-
     def _as_text(self, python: str) -> str:
         if python.startswith("find("):
             return python
@@ -341,13 +335,6 @@ class Translator:
             if python.removeprefix("arg_") in self._program.truth_arguments
             else f"str({python})"
         )
-
-    def _substitution(self, content: str) -> str:
-        """Return what is in a `$(…)` of a text: a package as ROS names it, or Python."""
-        words = content.split()
-        if len(words) == 2 and words[0] == "find" and "$" not in content:
-            return " ".join(words)
-        return self._command(content)
 
     def _command(self, content: str) -> str:
         """Return what is in a `$(…)` as Python, or in the words that ROS has for it."""
