@@ -10,6 +10,7 @@ from ....xacro.symbol_table import assigned_in, called_by, names_in, used_in
 from ....xml.tree import Element
 from ....xml.values import format_value
 from ..elements import name_of
+from .names import reached_from
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -167,16 +168,12 @@ class Contents:
             own = set().union(*(assigned_in(macro.element, "global") for macro in macros))
             if own:
                 # add global names to all that may call a macro
-                pending, seen = [name], set[str]()
-                while pending:
-                    caller = pending.pop()
-                    if caller not in seen:
-                        seen.add(caller)
-                        found.setdefault(caller, set()).update(own)
-                        pending += [
-                            around.name for _, around in self._calls.get(caller, ()) if around
-                        ]
+                for caller in reached_from([name], self._callers_of):
+                    found.setdefault(caller, set()).update(own)
         return found
+
+    def _callers_of(self, name: str) -> list[str]:
+        return [around.name for _, around in self._calls.get(name, ()) if around]
 
     def sets_variables(self, node: Element) -> bool:
         """Return whether an element has statements in it that set what is read after them."""

@@ -32,7 +32,10 @@ from ....xml.values import format_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Collection, Container, Iterable, Mapping
+    from collections.abc import Callable, Collection, Container, Iterable, Iterator, Mapping
+    from typing import TypeVar
+
+    Thing = TypeVar("Thing")
 
     from ....xml.tree import Element
     from .program import Macro, XacroProgram
@@ -48,6 +51,19 @@ def camel(name: str) -> str:
 def common_folder(paths: list[str]) -> str:
     """Return the deepest folder that holds all of the files."""
     return os.path.commonpath([os.path.dirname(path) for path in paths])
+
+
+def reached_from(
+    starts: Iterable[Thing], following: Callable[[Thing], Iterable[Thing]]
+) -> set[Thing]:
+    """Return things with all that one leads to, `following` each: what is called or included."""
+    reached = set(starts)
+    pending = list(reached)
+    while pending:
+        new = set(following(pending.pop())) - reached
+        reached |= new
+        pending += new
+    return reached
 
 
 def is_plain(include: Element) -> bool:
@@ -211,14 +227,8 @@ class Callers:
         """Return the names that a macro may see: its own, and those of all who may call it."""
         known = self._visible.get(macro.name)
         if known is None:
-            visible = set(self._at_top)
-            pending, seen = [macro.name], {macro.name}
-            while pending:
-                name = pending.pop()
-                visible |= self._own_names.get(name, set())
-                new = self._callers.get(name, set()) - seen
-                seen |= new
-                pending += new
+            names = reached_from([macro.name], lambda name: self._callers.get(name, ()))
+            visible = self._at_top.union(*(self._own_names.get(name, ()) for name in names))
             known = self._visible[macro.name] = visible
         return known
 
@@ -376,12 +386,8 @@ class Passing:
                     return
         # a call may be in a block, and a macro that inserts this may have such a name too
         called = wanted | defaults
-        reached = {own for macro in called for site in self._sites[macro] for own in site.around}
-        pending = list(reached)
-        while pending:
-            new = self._reached[pending.pop()] - reached
-            reached |= new
-            pending += new
+        around = {own for macro in called for site in self._sites[macro] for own in site.around}
+        reached = reached_from(around, self._reached.__getitem__)
         if any(name in self._own[macro] for macro in reached - wanted):
             return
         for macro in wanted:
@@ -510,18 +516,18 @@ class Callees:
 
     def names_around_blocks(self, macro: Macro) -> set[str]:
         """Return the names that a macro, or one it passes its blocks on to, has around them."""
-        names: set[str] = set()
-        pending, known = [macro], {macro}
-        while pending:
-            own = pending.pop()
-            names |= self._reads[own].own | defined_in(own.element, nested=True)
+
+        def given_blocks(own: Macro) -> Iterator[Macro]:
             for element in own.element.iter():
                 called = self._program.macro_called(element)
-                is_passed = any(inner.name == "xacro:insert_block" for inner in element.iter())
-                if called is not None and is_passed and called not in known:
-                    known.add(called)
-                    pending.append(called)
-        return names
+                if called is not None and any(
+                    inner.name == "xacro:insert_block" for inner in element.iter()
+                ):
+                    yield called
+
+        macros = reached_from([macro], given_blocks)
+        names = (self._reads[own].own | defined_in(own.element, nested=True) for own in macros)
+        return set().union(*names)
 
     def passed_to(self, path: str, macro: Macro) -> set[str]:
         """Return the parameters of a macro that its includes of a file pass as variables.

@@ -35,7 +35,15 @@ from ..document import spaced
 from ..elements import comments_at_ends, name_of, tidy_text
 from ..formulas import Degrees
 from .choices import MARK, Truths, name_alone
-from .names import Callers, HiddenArguments, Passing, Readers, camel, names_of_callers
+from .names import (
+    Callers,
+    HiddenArguments,
+    Passing,
+    Readers,
+    camel,
+    names_of_callers,
+    reached_from,
+)
 from .robot_files import RobotFiles
 
 TYPE_CHECKING = False
@@ -640,15 +648,8 @@ class Namespaces:
 
     def reached_by(self, includes: list[Element]) -> set[str]:
         """Return the files that includes bring in, in namespaces or not."""
-        reached: set[str] = set()
-        pending = [path for element in includes for path in self._meant_by(element)]
-        while pending:
-            path = pending.pop()
-            if path not in reached:
-                reached.add(path)
-                inner = _includes_of(self._roots[path])
-                pending += [own for element in inner for own in self._meant_by(element)]
-        return reached
+        paths = [path for element in includes for path in self._meant_by(element)]
+        return reached_from(paths, self._included_by)
 
     def _meant_by(self, include: Element) -> list[str]:
         span = include.value_span("filename")
@@ -657,16 +658,12 @@ class Namespaces:
 
     def _reached_from(self, paths: list[str]) -> set[str]:
         """Return files, with those that they include without a namespace."""
-        reached: set[str] = set()
-        pending = list(paths)
-        while pending:
-            path = pending.pop()
-            if path not in reached:
-                reached.add(path)
-                for element in _includes_of(self._roots[path]):
-                    if "ns" not in element.attributes:
-                        pending += self._meant_by(element)
-        return reached
+        return reached_from(paths, lambda path: self._included_by(path, in_namespaces=False))
+
+    def _included_by(self, path: str, *, in_namespaces: bool = True) -> list[str]:
+        includes = _includes_of(self._roots[path])
+        wanted = [each for each in includes if in_namespaces or "ns" not in each.attributes]
+        return [path for each in wanted for path in self._meant_by(each)]
 
 
 def _includes_of(root: Element) -> list[Element]:
