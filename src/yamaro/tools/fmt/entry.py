@@ -178,10 +178,8 @@ def _deliver(text: _Text, arguments: Arguments, streams: Streams) -> int:
     if text.path == STANDARD_INPUT:
         streams.write_result([text.data()])
         return DONE
-    return _replace(text, streams) if differs else DONE
-
-
-def _replace(text: _Text, streams: Streams) -> int:
+    if not differs:
+        return DONE
     import os
 
     from ...output import write_file

@@ -43,11 +43,20 @@ if TYPE_CHECKING:
     from ..parts import LinkPlan
     from .contents import Contents, Counts
     from .program import Macro, XacroProgram
+    from .statements import Surroundings
 
     Write = Callable[[Element, Body], None]
 
     class Host(Protocol):
-        """Writes the file that a part is in."""
+        """Writes the file that a part is in, and knows the robot."""
+
+        program: XacroProgram
+        contents: Contents
+        solids: Solids
+        here: Surroundings
+
+        def translate(self, text: str) -> str:
+            """Return a text of xacro in the language's spelling."""
 
         def entry(self, element: Element, *, bracketed: bool = False) -> Entry:
             """Return an element that may hold statements."""
@@ -192,40 +201,25 @@ def stands_as_key(element: Element) -> bool:
 class XacroPartWriter(PartWriter):
     """Writes one part, in which statements may stand."""
 
-    def __init__(
-        self,
-        host: Host,
-        translate: Callable[[str], str],
-        contents: Contents,
-        solids: Solids,
-        around: Macro | None,
-        *,
-        exact: bool,
-        constants: Mapping[str, float],
-    ) -> None:
-        """Take what the part is in.
-
-        Args:
-            host: writes the file.
-            translate: gives a text of xacro in the language's spelling.
-            contents: knows what statements make.
-            solids: the macros that give the inertia of a solid.
-            around: the macro that the part is in.
-            exact: whether an origin that is missing has to stay missing.
-            constants: the numbers that names always have.
-        """
+    def __init__(self, host: Host) -> None:
+        """Stand where the file's writer stands."""
         self._host = host
-        self._translate = translate
-        self._contents = contents
-        self._solids = solids
+        self._translate = host.translate
+        self._contents = host.contents
+        self._solids = host.solids
         self._inertias: dict[int, SolidInertia] = {}
-        self._around = around
+        self._around = host.here.macro
         self._originals: dict[int, tuple[Element, Element]] = {}
         self._known: dict[int, Counts] = {}
         self._has_one_inertial = False
         elements = _PartElements(host, self._originals)
         super().__init__(
-            elements, Names([]), material_entry, resolves=True, exact=exact, constants=constants
+            elements,
+            Names([]),
+            material_entry,
+            resolves=True,
+            exact=host.program.exact,
+            constants=host.program.known_numbers,
         )
 
     def entry(self, link: Element, joint: Element | None, *, joint_first: bool) -> Entry | None:

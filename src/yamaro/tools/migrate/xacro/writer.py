@@ -192,7 +192,7 @@ class FileWriter(ElementWriter):
                         last = body.entries[-1] if body.entries else None
                         if node.name == "link" and last is not None:  # frames below it go into it
                             name = name_of(node)
-                            frames.begin(last, self._translate(name))
+                            frames.begin(last, self.translate(name))
                         else:
                             frames.begin(None)
                 except CannotMigrate as error:
@@ -207,7 +207,7 @@ class FileWriter(ElementWriter):
             return False
         if any(map(is_statement, (*link.elements(), *joint.iter()))):
             return False
-        writer = self.part_writer()
+        writer = XacroPartWriter(self)
         return frames.take(writer.spelled(link), writer.spelled(joint), writer, body)
 
     def _statement(self, node: Element, step: Step, body: Body) -> None:
@@ -220,7 +220,7 @@ class FileWriter(ElementWriter):
             body.append(self.entry(node))
         else:
             known = len(self.lost)
-            part = self.part_writer().entry(node, step.joint, joint_first=step.is_joint_first)
+            part = XacroPartWriter(self).entry(node, step.joint, joint_first=step.is_joint_first)
             if part is not None:
                 body.append(part)
                 return
@@ -228,18 +228,6 @@ class FileWriter(ElementWriter):
             both = [node] if step.joint is None else [step.joint, node]
             for each in both if step.is_joint_first else both[::-1]:
                 body.append(self.entry(each))
-
-    def part_writer(self) -> XacroPartWriter:
-        """Return what writes parts, or what comes to be in them, at this place."""
-        return XacroPartWriter(
-            self,
-            self._translate,
-            self.contents,
-            self.solids,
-            self.here.macro,
-            exact=self.program.exact,
-            constants=self.program.known_numbers,
-        )
 
     def write_statement(self, node: Element, body: Body, place: Write, *, has_keys: bool) -> None:
         """Write a statement, and the elements in it by `place`.
@@ -270,7 +258,7 @@ class FileWriter(ElementWriter):
 
     def write_for_parts(self, node: Element, body: Body) -> None:
         """Write an element that may end up in a part, where it is to mean the same."""
-        writer = self.part_writer()
+        writer = XacroPartWriter(self)
         if self.here.holder in self.placing.in_parts and writer.write_piece(node, body):
             return
         own = writer.spelled(node)
@@ -292,7 +280,7 @@ class FileWriter(ElementWriter):
     def values(self, element: Element) -> dict[str, str]:
         """Return the attributes of an element, except xacro's own."""
         return {
-            name: tidy_value(name, self._translate(format_value(value)))
+            name: tidy_value(name, self.translate(format_value(value)))
             for name, value in element.attributes.items()
             if not name.startswith(("xacro:", "xmlns:xacro"))
         }
@@ -308,7 +296,8 @@ class FileWriter(ElementWriter):
         with self.within(None, is_in_element=True):
             return self.body(children)
 
-    def _translate(self, text: str) -> str:
+    def translate(self, text: str) -> str:
+        """Return a text of xacro in the language's spelling."""
         return self.translator.text(" ".join(text.split()) if "\n" in text else text)
 
     def _message(self, text: str) -> str | None:
