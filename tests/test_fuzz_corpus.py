@@ -189,7 +189,7 @@ PLANTED: list[tuple[str, str, Plant]] = [
     ("reader", "anchors", of_class(NodeBuilder, "_after_properties", lambda self, start: start)),
     ("reader", "surrogates", in_place_of(yaml_characters.refuse_characters, lambda source: None)),
     ("keys", "colons", in_place_of(parse_plain_key, keeping_the_colon)),
-    ("keys", "white space", in_place_of(keys._trim, trimming_blanks_only)),
+    ("keys", "white space", in_place_of(keys.trim, trimming_blanks_only)),
     ("keys", "expressions", in_place_of(keys.find_outside, looking_into_expressions)),
     ("template", "triple quotes", in_place_of(brackets.end_of_string, knowing_no_triple_quotes)),
     ("template", "comments", in_place_of(find_close, knowing_no_comments)),

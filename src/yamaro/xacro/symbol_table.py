@@ -1,6 +1,6 @@
 """The symbol table of xacro: who defines, reads and assigns a name, without running it.
 
-Scopes are dynamic: a macro sees the names of whoever calls it, and may set names for them. So what
+Scopes are dynamic: a macro sees the names of its callers, and may set names for them. So what
 is asked here is what is written in an element; who meets whom is for those who know all files.
 """
 
