@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import radians
 
-from ..diagnostics import ACCEPTED, ERROR, INHERITED, WARNING, Diagnostic, suggest
+from ..diagnostics import ACCEPTED, ERROR, WARNING, Diagnostic, suggest
 from ..model.values import NumberReader, attribute_text
 from ..xml.tree import Element
 
@@ -216,10 +216,9 @@ class CheckContext:
 
     def _trace_of(self, element: Element) -> Frame | None:
         """Return the calls and includes that led to an element at the place that is looked at."""
-        if element.trace is not INHERITED:
+        if not element.inherits_trace():
             return element.trace
-        outermost = self.outermost or self._first_around(element)
-        return None if outermost.trace is INHERITED else outermost.trace
+        return (self.outermost or self._first_around(element)).trace_within(None)
 
     def _first_around(self, element: Element) -> Element:
         """Return the first child of the root that an element is in, or else the root itself."""

@@ -5,7 +5,7 @@ Everything here is linear in the size of the robot and recurses no deeper than t
 
 from __future__ import annotations
 
-from ..diagnostics import INHERITED, WARNING
+from ..diagnostics import WARNING
 from ..model.joint import FIXED
 from ..model.reading import read_robot
 from ..model.schema import OTHER_FORMATS, VERSIONS, is_semantic
@@ -257,8 +257,8 @@ def _hint_for_names(element: Element) -> str:
 
 def _note_of_first(first: Element, second: Element) -> str:
     """Return where the first of two elements was made, and what led there if that differs."""
-    place, trace = first.value_span("name"), first.trace
-    if trace is not second.trace and trace is not None and trace is not INHERITED:
+    place, trace = first.value_span("name"), first.trace_within(None)
+    if trace is not second.trace and trace is not None:
         way = f"in {trace.name}, {trace.kind} at {trace.span.place()}"
         return f"first defined at {place.place()}, {way}"
     if place.key() == second.value_span("name").key():

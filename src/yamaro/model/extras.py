@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from math import tau
 
-from ..diagnostics import INHERITED
 from ..source import Public
 from .pose import IDENTITY, Pose, rotation_from_rpy
 from .schema import ACTUATOR, COLLISIONS, SENSORS, SURFACE, TEXT, WHOLE
@@ -222,7 +221,7 @@ class Noted(Written):
 
     def __init__(self, element: Element) -> None:
         self.element = element
-        self.trace = _trace_of(element)
+        self.trace = element.trace_within(None)
 
     def _take(self, thing: Thing) -> None:
         """Take the values of a thing's fields from the attributes."""
@@ -488,7 +487,7 @@ class Extras:
 
     def __init__(self, notes: Sequence[Element] = ()) -> None:
         """Read the notes."""
-        sensors = [Sensor(each, _trace_of(each)) for each in _of(notes, "sensor")]
+        sensors = [Sensor(each, each.trace_within(None)) for each in _of(notes, "sensor")]
         self.sensors: Mapping[str, Sensor] = ByName("sensor", {each.name: each for each in sensors})
         actuators = map(Actuator, _of(notes, "actuator"))
         self.actuators: Mapping[str, Actuator] = ByName(
@@ -518,7 +517,3 @@ class Extras:
 
 def _of(notes: Iterable[Element], kind: str) -> list[Element]:
     return [note for note in notes if note.name == kind]
-
-
-def _trace_of(note: Element) -> Step | None:
-    return None if note.trace is INHERITED else note.trace

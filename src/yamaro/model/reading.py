@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from math import inf, isfinite
 
-from ..diagnostics import INHERITED, WARNING, Diagnostic, failure
+from ..diagnostics import WARNING, Diagnostic, failure
 from ..xml.tree import Element
 from ..xml.values import format_value
 from .joint import Calibration, Dynamics, Joint, Limit, Mimic, SafetyController
@@ -131,12 +131,11 @@ class _Reader:
         links: list[Link] = []
         joints: list[Joint] = []
         materials: list[Material] = []
-        above = None if self._root.trace is INHERITED else self._root.trace
+        above = self._root.trace_within(None)
         for element in self._root.children:
             if not isinstance(element, Element):
                 continue
-            trace = element.trace
-            self._trace = above if trace is INHERITED else trace
+            self._trace = element.trace_within(above)
             name = element.name
             if name == "link":
                 links.append(self._link(element))
@@ -404,7 +403,7 @@ class _Reader:
     ) -> None:
         """Note what cannot be read."""
         span = element.span if attribute is None else element.value_span(attribute)
-        trace = self._trace if element.trace is INHERITED else element.trace
+        trace = element.trace_within(self._trace)
         self._findings.append(
             Diagnostic(code, message, span, severity=WARNING, trace=trace, hint=hint)
         )

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from math import radians
 
-from ..diagnostics import INHERITED
 from ..xml.tree import Element, Text
 from ..xml.values import Numbers
 from .extras import CAMERAS, FORCE_TORQUE, LIDAR, RANGE
@@ -126,10 +125,9 @@ def recognized(robot: Robot, notes: Sequence[Element]) -> list[Element]:
     """
     found: list[Element] = []
     root = robot.element
-    above = None if root.trace is INHERITED else root.trace
     outer: dict[str, list[Placed]] = {}
     for child in root.elements():
-        trace = above if child.trace is INHERITED else child.trace
+        trace = child.trace_within(root.trace_within(None))
         outer.setdefault(child.name, []).append((child, trace))
     gazebo, controls = outer.get("gazebo", []), outer.get("ros2_control", [])
     transmissions = outer.get("transmission", [])

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from math import inf, isfinite, nan
 
-from ..diagnostics import INHERITED
 from ..source import Public
 from ..xml.tree import Element, Text
 from ..xml.values import LONGEST_ROW_REMEMBERED, Numbers, format_value, remember
@@ -210,7 +209,7 @@ class Written(Public):
 
     def trace_in(self, owner: Link | Joint) -> Step | None:
         """Return the calls and includes that led to it, as part of a link or joint."""
-        return owner.trace if self.element.trace is INHERITED else self.element.trace
+        return self.element.trace_within(owner.trace)
 
 
 class ReadLater(Written):

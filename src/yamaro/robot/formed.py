@@ -10,9 +10,9 @@ from __future__ import annotations
 
 from operator import itemgetter
 
-from ..diagnostics import INHERITED, YamaroError
+from ..diagnostics import YamaroError
 from ..xml.forms import Form, filled, key_of
-from ..xml.tree import Element, Memo, Text
+from ..xml.tree import Element, Text, inheriting
 from .fields import POSE_ROWS
 from .notes import JOINT_WORDS, LINK_WORDS
 from .pose import origin_element, pose_of_values
@@ -221,7 +221,7 @@ def take_over(lowering: Lowering, part: PartElement, out: list[Node]) -> bool:
     known = pattern.lowered.get(common)
     if known is None:
         return False
-    trace = lowering.trace if part.trace is INHERITED else part.trace
+    trace = part.trace_within(lowering.trace)
     return _take_over(lowering, pattern, known, part, trace, out)
 
 
@@ -265,8 +265,8 @@ def _learn(lowering: Lowering, pattern: Pattern, common: object, made: list[Node
         pattern.lowered.clear()
     has_mimic = bool(lowering.mimics) and lowering.mimics[-1] is joint
     pattern.lowered[common] = LoweredPart(joint, link, has_mimic=has_mimic)
-    joint.memo = Memo(own=OWN_CHILDREN)
-    link.memo = link.memo or Memo(own=0)
+    joint.share(own=OWN_CHILDREN)
+    link.share(own=0)
 
 
 def _take_over(
@@ -294,17 +294,16 @@ def _take_over(
     if part_name:
         lowering.part_links.setdefault(part_name, link_name)
         lowering.part_joints.setdefault(part_name, joint_name)
+    above, below = known.parent, known.child
     children: list[Node] = [
-        _like(known.parent, {"link": parent}, _NOTHING, INHERITED),
-        _like(known.child, {"link": link_name}, _NOTHING, INHERITED),
+        inheriting("parent", above.span, {"link": parent}, _NOTHING, above.value_spans),
+        inheriting("child", below.span, {"link": link_name}, _NOTHING, below.value_spans),
         origin,
         *known.rest,
     ]
     before = known.joint
-    joint = _like(before, {**before.attributes, "name": joint_name}, children, trace)
-    joint.memo = before.memo
-    link = _like(known.link, {"name": link_name}, known.link.children, trace)
-    link.memo = known.link.memo
+    joint = before.like({**before.attributes, "name": joint_name}, children, trace)
+    link = known.link.like({"name": link_name}, known.link.children, trace)
     out += (joint, link) if pattern.is_joint_first else (link, joint)
     lowering.parents.append(joint)
     if known.has_mimic:
@@ -314,13 +313,6 @@ def _take_over(
 
 _NOTHING: list[Node] = []
 """What a `<parent>` or `<child>` holds."""
-
-
-def _like(
-    element: Element, attributes: dict[str, object], children: list[Node], trace: Frame | None
-) -> Element:
-    """Return an element of the same origin with other attributes and children."""
-    return Element(element.name, element.span, attributes, children, trace, element.value_spans)
 
 
 def _names(name: object, naming: Naming | None) -> tuple[str, str, str] | None:
@@ -348,8 +340,7 @@ def _origin(
         return None
     origin = pattern.origins.get(key)
     if origin is not None:
-        origin.memo = origin.memo or Memo()
-        return origin
+        return origin.share()
     rows: dict[str, tuple[object, Span, Span]] = {}
     for name, (text, key_span, span) in pattern.pose.items():
         value = filled(text, values)
@@ -364,7 +355,7 @@ def _origin(
         return None
     if origin is None or reported != lowering.reports:
         return None
-    origin.trace = INHERITED
+    origin = inheriting(origin.name, origin.span, origin.attributes, [], origin.value_spans)
     if len(pattern.origins) >= MAX_KNOWN:
         pattern.origins.clear()
     pattern.origins[key] = origin

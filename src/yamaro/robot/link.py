@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure
-from ..xml.tree import Element, Memo
+from ..xml.tree import Element
 from .fields import COLLISION, INERTIAL, LINK, VISUAL, Fields, sort_fields
 from .geometry import LinkGeometry, section_geometry
 from .inertial import LinkMass, lower_inertial
@@ -30,12 +30,11 @@ class LinkFrame:
 def lower_link(lowering: Lowering, key: Element, name: str) -> Element:
     """Return `<link>` with its sections in the order written; record errors and go on."""
     lowering.link_name = name
-    common = lowering.once(key, _lower_common)
-    link = common.with_children(common.children)
-    link.attributes = {"name": name}
+    common = lowering.once(key, _lower_common, own=0)
+    attributes: dict[str, object] = {"name": name}
     for attribute, value in key.attributes.items():
-        link.attributes.setdefault(attribute, value)
-    link.memo = common.memo
+        attributes.setdefault(attribute, value)
+    link = common.like(attributes, common.children, common.trace)
     lowering.give_trace(link)
     return link
 
@@ -43,9 +42,7 @@ def lower_link(lowering: Lowering, key: Element, name: str) -> Element:
 def _lower_common(lowering: Lowering, key: Element) -> Element:
     """Return a `<link>` without its name, which nothing else in it depends on."""
     children = _lower_children(lowering, key)
-    link = Element("link", key.span, {}, children, key.trace, key.value_spans)
-    link.memo = None if key.memo is None else Memo(own=0)
-    return link
+    return Element("link", key.span, {}, children, key.trace, key.value_spans)
 
 
 def _lower_children(lowering: Lowering, key: Element) -> list[Node]:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from ..diagnostics import INHERITED, settle
-from ..xml.tree import Element, Memo, with_trace
+from ..diagnostics import settle
+from ..xml.tree import Element
 from ..xml.values import format_value
+from .fields import with_attributes
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -141,8 +142,7 @@ class Lowering:
             What to give `leave`.
         """
         before = self.trace, len(self.errors), len(self.reporter.diagnostics)
-        if element.trace is not INHERITED:
-            self.trace = element.trace
+        self.trace = element.trace_within(self.trace)
         return before
 
     def leave(self, entered: Entered) -> None:
@@ -155,16 +155,11 @@ class Lowering:
 
     def give_trace(self, element: Element) -> None:
         """Give a new element the trace of the part, if it is to inherit that: it is put outside."""
-        if element.trace is INHERITED:
-            element.trace = self.trace
+        element.trace = element.trace_within(self.trace)
 
     def outermost(self, element: Element) -> Element:
         """Return an element for a place under the root, where it cannot inherit from the part."""
-        if element.trace is not INHERITED or self.trace is None:
-            return element
-        copy = with_trace(element, self.trace)
-        copy.memo = element.memo
-        return copy
+        return element.settled(self.trace)
 
     def begin_robot(self) -> Outside:
         """Begin with a robot in which the names of parts mean its own.
@@ -220,7 +215,13 @@ class Lowering:
         self.reports += 1
         self.reporter.report(code, message, span, hint=hint, trace=trace, fix=fix)
 
-    def once(self, key: Element, lower: Callable[[Lowering, Element], Element]) -> Element:
+    def once(
+        self,
+        key: Element,
+        lower: Callable[[Lowering, Element], Element],
+        *,
+        own: int | None = None,
+    ) -> Element:
         """Return what `lower` makes of a key: where the key has a memo, the same in every place.
 
         What had something reported is lowered again in each place, so that it is reported again.
@@ -228,6 +229,7 @@ class Lowering:
         Args:
             key: the key; what comes out must depend on it and on the run alone.
             lower: makes an element of the key, which nobody changes later.
+            own: see `Memo`.
         """
         memo = key.memo
         if memo is None:
@@ -237,8 +239,7 @@ class Lowering:
             reported, self.is_bound_to_joint = self.reports, False
             made = lower(self, key)
             if reported == self.reports and not self.is_bound_to_joint:
-                memo.lowered = made
-                made.memo = made.memo or Memo()
+                memo.lowered = made.share(own)
         return made
 
 
@@ -250,3 +251,15 @@ def names_of(robot: Element, kind: str) -> set[str]:
             name = child.attributes.get("name")
             names.add(name if type(name) is str else format_value(name))
     return names
+
+
+def refer(joint: Element, reference: Element, attribute: str, name: str) -> None:
+    """Let a reference in a joint bear another name; one of several places is replaced."""
+    memo = reference.memo
+    if memo is None:
+        reference.attributes[attribute] = name
+        return
+    if memo.resolved is None:
+        memo.resolved = with_attributes(reference, {**reference.attributes, attribute: name})
+        memo.resolved.share()
+    joint.children[joint.children.index(reference)] = memo.resolved

@@ -7,7 +7,7 @@ change the names in it with all others. At the end the notes are taken out.
 
 from __future__ import annotations
 
-from ..diagnostics import INHERITED, failure
+from ..diagnostics import failure
 from ..xml.tree import Element, RawBlock, Text
 from ..xml.values import LiteralList, format_value
 from .fields import read_value, word_of
@@ -314,7 +314,7 @@ def _without_blocks(owner: Element, notes: list[Element]) -> Element:
     blocks = [child for child in owner.children if isinstance(child, RawBlock)]
     if not blocks:
         return owner
-    trace = None if owner.trace is INHERITED else owner.trace
+    trace = owner.trace_within(None)
     notes += [
         _note(block, {owner.name: format_value(owner.attributes.get("name"))}, trace)
         for block in blocks
@@ -325,7 +325,7 @@ def _without_blocks(owner: Element, notes: list[Element]) -> Element:
 
 
 def _note(block: RawBlock, home: dict[str, str], trace: Frame | None) -> RobotNote:
-    own = trace if block.trace is INHERITED else block.trace
+    own = block.trace_within(trace)
     return RobotNote(
         RAW, block.span, {"format": block.name, **home}, children=block.children, trace=own
     )

@@ -6,8 +6,8 @@ that joints refer to are resolved at the end, over the whole tree.
 
 from __future__ import annotations
 
-from ..diagnostics import INHERITED, YamaroError, failure, settle
-from ..xml.tree import Element, Memo, PartElement, RobotWord, unshared
+from ..diagnostics import YamaroError, failure, settle
+from ..xml.tree import Element, PartElement, RobotWord, unshared
 from ..xml.values import format_value
 from .fields import (
     PART,
@@ -16,13 +16,12 @@ from .fields import (
     read_value,
     refuse_part,
     sort_fields,
-    with_attributes,
     word_of,
 )
 from .formed import lower_formed, take_over
 from .joint import lower_joint
 from .link import lower_link
-from .lowering import Lowering, names_of
+from .lowering import Lowering, names_of, refer
 from .notes import (
     JOINT_WORDS,
     LINK_WORDS,
@@ -150,11 +149,11 @@ def _places_of_parts(root: Element) -> dict[int, Element]:
 
 def _trace_of_part(root: Element, part: Element, holders: dict[int, Element]) -> Frame | None:
     """Return what led to the part that `holders` gives for the root."""
-    if part.trace is not INHERITED:
+    if not part.inherits_trace():
         return part.trace
     for child in root.elements():
         if child is part or holders.get(id(child)) is part:
-            return None if child.trace is INHERITED else child.trace
+            return child.trace_within(None)
     raise AssertionError("the part is in none of the children")
 
 
@@ -427,7 +426,7 @@ def resolve_names(lowering: Lowering, robot: Element) -> None:
             if link_name is not None and link_name != name:
                 _warn_if_ambiguous(lowering, robot, joint, parent, name, link_name)
         elif link_name is not None:
-            _refer(joint, parent, "link", link_name)
+            refer(joint, parent, "link", link_name)
         elif name == ROOT_LINK and root_link is None:
             root_link, trace = parent, joint.trace
     joints = names_of(robot, "joint") if lowering.mimics else set()
@@ -435,7 +434,7 @@ def resolve_names(lowering: Lowering, robot: Element) -> None:
         mimic = _mimic_of(joint)
         name = str(mimic.attributes["joint"])
         if name not in joints and name in lowering.part_joints:
-            _refer(joint, mimic, "joint", lowering.part_joints[name])
+            refer(joint, mimic, "joint", lowering.part_joints[name])
     for note, attribute in lowering.references:
         name = str(note.attributes[attribute])
         is_joint = attribute == "joint"
@@ -482,15 +481,3 @@ def _mimic_of(joint: Element) -> Element:
         if isinstance(child, Element) and child.name == "mimic" and not child.verbatim:
             return child
     raise AssertionError("the joint has none")
-
-
-def _refer(joint: Element, reference: Element, attribute: str, name: str) -> None:
-    """Let a reference in a joint bear another name; one of several places is replaced."""
-    memo = reference.memo
-    if memo is None:
-        reference.attributes[attribute] = name
-        return
-    if memo.resolved is None:
-        memo.resolved = with_attributes(reference, {**reference.attributes, attribute: name})
-        memo.resolved.memo = Memo()
-    joint.children[joint.children.index(reference)] = memo.resolved

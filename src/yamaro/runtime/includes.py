@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnostics import INHERITED, Frame, YamaroError, add_trace, failure
+from ..diagnostics import Frame, YamaroError, add_trace, failure
 from ..namespace import MISSING, Namespace
 from ..source import Span
 from ..syntax.names import (
@@ -134,7 +134,7 @@ def run_include(
 
 def _traced(interpreter: Interpreter, node: Node) -> Node:
     """Return what is in a root element that is left out, with the trace of its own."""
-    if not isinstance(node, Element) or node.trace is not INHERITED:
+    if not isinstance(node, Element) or not node.inherits_trace():
         return node
     if isinstance(node, PartElement):  # each is made for its place
         node.trace = interpreter.frame

@@ -137,7 +137,7 @@ class Interpreter:
             policy: how far the files are trusted; in full if left out.
             packages: finds ROS packages.
             shares: let one element stand wherever it would be built again just as it is, its
-                trace INHERITED; without, every element is built for its place, with a trace.
+                trace inherited; without, every element is built for its place, with a trace.
             target: the output format that is written.
         """
         self._handlers = handlers
@@ -227,6 +227,10 @@ class Interpreter:
     def trace(self) -> Frame | None:
         """Return the trace of an element that is made here."""
         return INHERITED if self.frame is self.holder and self.shares else self.frame
+
+    def inner_trace(self, trace: Frame | None) -> Frame | None:
+        """Return the trace of what is in an element that is made here with one."""
+        return trace if self.is_inside else INHERITED
 
     def run_inside(self, body: Body, scope: Scope, out: list[Node]) -> None:
         """Run the body of a child of the root, or of a part, whose elements may inherit from it."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnostics import INHERITED, YamaroError, failure
+from ..diagnostics import YamaroError, failure
 from ..namespace import MISSING
 from ..source import Span
 from ..syntax.keys import NAME_RULE, attribute_twice, name_fault
@@ -84,7 +84,7 @@ def run_element(
     if form is not None and interpreter.shares:
         values = evaluate_holes(form, scope, interpreter.values)
         trace = interpreter.trace()
-        inner = trace if interpreter.is_inside else INHERITED
+        inner = interpreter.inner_trace(trace)
         out.append(
             interpreter.builder.element(form, values, interpreter.part_depth > 0, trace, inner)
         )
@@ -134,7 +134,7 @@ def run_static(
     elif interpreter.frame is interpreter.holder:
         element = interpreter.builder.emitted(element)
     else:
-        inner = interpreter.frame if interpreter.is_inside else INHERITED
+        inner = interpreter.inner_trace(interpreter.frame)
         element = interpreter.builder.traced(element, interpreter.frame, inner)
     out.append(element)
 

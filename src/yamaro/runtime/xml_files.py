@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 
-from ..diagnostics import INHERITED, Frame, Reporter, YamaroError, add_trace, did_you_mean, failure
+from ..diagnostics import Frame, Reporter, YamaroError, add_trace, did_you_mean, failure
 from ..files.loader import LoadError
 from ..source import Source, Span
 from ..syntax.nodes import (
@@ -95,19 +95,19 @@ def xacro_in_safe_mode(span: Span) -> YamaroError:
     )
 
 
-def xml_content(root: Element, prefix: object, frame: Frame, *, is_inside: bool) -> list[Node]:
+def xml_content(root: Element, prefix: object, frame: Frame, inner: Frame | None) -> list[Node]:
     """Return what stands under the root of an XML file, reached by an include.
 
     Args:
         root: the root.
         prefix: put in front of the names of links and joints, wherever they are named.
         frame: the include.
-        is_inside: whether it is put into a child of the root or into a part, with calls of its own.
+        inner: the trace of what is in the elements under the root.
     """
     text = format_value(prefix)
     if text:
         rename(root, text)
-    _tidy(root, frame if is_inside else INHERITED)
+    _tidy(root, inner)
     for child in root.children:
         if isinstance(child, Element):
             child.trace = frame
@@ -123,9 +123,9 @@ def mark_included(root: Element, prefix: str) -> None:
             child.body = robot
 
 
-def tidy_root(root: Element) -> Element:
+def tidy_root(root: Element, inner: Frame | None) -> Element:
     """Return the root of an XML file that is a document of its own."""
-    _tidy(root)
+    _tidy(root, inner)
     root.trace = None
     return root
 
@@ -147,7 +147,7 @@ def declare_prefixes(root: Element, content: list[Node]) -> None:
                     element.attributes.setdefault(f"xmlns:{prefix}", declared[prefix])
 
 
-def _tidy(root: Element, trace: Frame = INHERITED) -> None:
+def _tidy(root: Element, trace: Frame | None) -> None:
     """Leave out the white space between elements, and give them a trace.
 
     CDATA sections become plain text, which the writer knows.
@@ -209,9 +209,7 @@ def include_xml(
             mark_included(root, "")
             content = root.children
         else:
-            content = xml_content(
-                root, passed.get("prefix"), frame, is_inside=interpreter.is_inside
-            )
+            content = xml_content(root, passed.get("prefix"), frame, interpreter.inner_trace(frame))
         declare_prefixes(root, content)
         out += content
     except YamaroError as error:
@@ -368,7 +366,7 @@ def run_xml_main(
         files.note(source.path or source.name)
         root, is_xacro = read_included(source, limits)
         if not is_xacro:
-            return tidy_root(root), False
+            return tidy_root(root, interpreter.inner_trace(None)), False
         if safety is not None and not interpreter.policy.is_confined:
             raise xacro_in_safe_mode(Span(source, root.span.start, root.span.end))
         from ..xacro.expansion import expand

@@ -7,9 +7,8 @@ it is made here, as it will be written.
 
 from __future__ import annotations
 
-from ..diagnostics import INHERITED
 from ..xml.forms import Form
-from ..xml.tree import Comment, Element, Text
+from ..xml.tree import Comment, Element, Text, inheriting
 from ..xml.values import is_comment_text
 from .nodes import (
     Body,
@@ -156,12 +155,11 @@ def element_put_out(node: ElementNode, body: Body) -> Element | ElementNode:
     if form is None or form.holes or children is None:
         node.form = form
         return node
-    return Element(
+    return inheriting(
         str(node.name),
         node.span,
         attributes={str(attribute.name): attribute.value for attribute in node.attributes},
         children=children,
-        trace=INHERITED,
         value_spans={str(attribute.name): attribute.span for attribute in node.attributes},
         verbatim=node.verbatim,
         body=body,

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from ..diagnostics import INHERITED, YamaroError, failure, suggest
+from ..diagnostics import YamaroError, failure, suggest
 from ..source import Span
-from ..xml.tree import Element, Text
+from ..xml.tree import Element, Text, inheriting
 from ..yaml.nodes import MappingNode, ScalarNode, SequenceNode
 from .context import ParseContext
 from .forms import NO_CHILDREN, as_put_out, element_put_out, static_children
@@ -250,7 +250,7 @@ def _add_plain(
         body.add(element_put_out(element, body))
         return
     places = PlainKeyPlaces(key) if attributes else None
-    body.statements.append(Element(name, key, attributes, children, INHERITED, places, False, body))
+    body.statements.append(inheriting(name, key, attributes, children, places, False, body))
 
 
 def parse_content(node: YamlNode, context: ParseContext) -> Content:

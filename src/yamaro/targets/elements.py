@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from ..diagnostics import INHERITED
 from ..source import Source, Span
 from ..xml.tree import Element, Text
 from ..xml.values import format_value
@@ -92,9 +91,8 @@ def written_at(owner: Owner, part: Written | None = None) -> tuple[Span, Step | 
     span, trace = owner.span, owner.trace
     if part is not None:
         span = part.span
-        if part.element.trace is not INHERITED:
-            trace = part.element.trace
-    return span, None if trace is INHERITED else trace
+        trace = part.element.trace_within(trace)
+    return span, trace
 
 
 def number(value: float) -> str:

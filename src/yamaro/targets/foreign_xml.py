@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from ..diagnostics import INHERITED
 from ..model.recognition import SURFACE_TAGS
 from ..model.schema import ELEMENTS
 from ..model.values import attribute_text, content, numbers_in
-from ..xml.tree import Element, with_trace
+from ..xml.tree import Element
 from .losses import Losses
 
 TYPE_CHECKING = False
@@ -43,9 +42,9 @@ def foreign_losses(robot: Robot, *, taken: Collection[str] = ()) -> Losses:
     """
     walk = _Walk(robot)
     root = robot.element
-    above = None if root.trace is INHERITED else root.trace
+    above = root.trace_within(None)
     for child in root.elements():
-        trace = above if child.trace is INHERITED else child.trace
+        trace = child.trace_within(above)
         if child.name in taken or child.name == "ros2_control":
             continue
         if child.name in ("link", "joint", "material"):
@@ -104,7 +103,7 @@ class _Walk:
                 self.losses.lose_xml(what, element, label=owner, trace=trace, field=name)
         for child in element.elements():
             if child.name in rule.children:
-                self.check(child, owner, trace if child.trace is INHERITED else child.trace)
+                self.check(child, owner, child.trace_within(trace))
             else:
                 self.losses.lose_xml(f"<{child.name}> elements", child, label=owner, trace=trace)
         if len(self.losses) == before:
@@ -220,9 +219,7 @@ class RawXmlOf:
 
 def _elements_of(raw: RawXml) -> list[Element]:
     """Return the elements of a block, each with the calls and includes that led to it."""
-    return [
-        with_trace(each, raw.trace) if each.trace is INHERITED else each for each in raw.elements
-    ]
+    return [each.settled(raw.trace) for each in raw.elements]
 
 
 def settings_in(elements: list[Element]) -> tuple[dict[str, Element], list[Element]]:

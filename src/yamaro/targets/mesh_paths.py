@@ -10,7 +10,7 @@ import os
 from operator import is_
 
 from ..files.mesh_files import ABSOLUTE, COPY, FILE_ELEMENTS, KEEP, NONE, RELATIVE, MeshFinder
-from ..xml.tree import Element, Memo
+from ..xml.tree import Element
 from ..xml.values import format_value
 
 TYPE_CHECKING = False
@@ -181,16 +181,14 @@ class _Renaming:
             changed = self._changed(element)
             memo.renamed = element, changed
             if changed is not element:
-                changed.memo = Memo(memo.own)
+                changed.share(memo.own)
         before, after = memo.renamed
         if before is element or memo.own is None:
             return after  # type: ignore[no-any-return]
         if before is after:
             return element
         assert memo.own == 0, "a joint refers to no file"
-        alike = element.with_children(after.children)
-        alike.memo = after.memo
-        return alike
+        return after.like(element.attributes, after.children, element.trace)  # type: ignore[no-any-return]
 
     def _changed(self, element: Element) -> Element:
         children = self._children(element.children)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import INHERITED, Frame
-from .tree import Element, Memo, PartElement, Text, unshared, with_trace
+from .tree import Element, PartElement, Text, unshared, with_trace
 from .values import format_number, format_value
 
 TYPE_CHECKING = False
@@ -154,7 +154,7 @@ class Builder:
         copy = self._emitted[identity]
         if copy is None:
             copy = self._emitted[identity] = element.with_children(element.children)
-            copy.memo = Memo()
+            copy.share()
         return copy
 
     def element(
@@ -183,8 +183,7 @@ class Builder:
         found = elements.get(key)
         if found is not None:
             built.new_in_a_row = 0
-            found.memo = found.memo or Memo()
-            return found
+            return found.share()
         built.new_in_a_row += 1
         if built.new_in_a_row > MAX_KNOWN:
             built.elements = None
@@ -203,8 +202,7 @@ class Builder:
         key = (id(element), trace, inner)
         found = self._traced.get(key)
         if found is not None:
-            found.memo = found.memo or Memo()
-            return found
+            return found.share()
         if inner is not INHERITED:
             found = unshared(element, trace)
         else:

@@ -108,8 +108,7 @@ class Element:
             span: the place of the key that made the element.
             attributes: names and values in the order of output; None values are not written.
             children: elements, text and comments in order.
-            trace: the calls and includes that led here; INHERITED where they are those of the part
-                or of the child of the root around it.
+            trace: the calls and includes that led here; see `trace_within`.
             value_spans: where the attributes' values are written; `span` is used for the rest.
             verbatim: written in angle brackets: plain XML, whatever its name.
             body: identity of the mapping the element's key was written in.
@@ -140,6 +139,40 @@ class Element:
             self.verbatim,
             self.body,
         )
+
+    def trace_within(self, around: Frame | None) -> Frame | None:
+        """Return the calls and includes that led to it; `around` are those of what it is in.
+
+        An element that is in several places does not know its own: the same calls led to it as to
+        the part it is in, or, outside of parts, to the child of the root that it is in.
+        """
+        return around if self.trace is INHERITED else self.trace
+
+    def inherits_trace(self) -> bool:
+        """Return whether the same calls led to it as to what it is in; see `trace_within`."""
+        return self.trace is INHERITED
+
+    def settled(self, around: Frame | None) -> Element:
+        """Return it for a place where it can inherit no trace: itself, or a copy with a trace."""
+        if self.trace is not INHERITED or around is None:
+            return self
+        copy = with_trace(self, around)
+        copy.memo = self.memo
+        return copy
+
+    def share(self, own: int | None = None) -> Element:
+        """Let it have a memo, as one that is in several places or has likes; return it."""
+        if self.memo is None:
+            self.memo = Memo(own)
+        return self
+
+    def like(
+        self, attributes: dict[str, object], children: list[Node], trace: Frame | None
+    ) -> Element:
+        """Return an element of the same origin that has the same memo; see `Memo.own`."""
+        alike = Element(self.name, self.span, attributes, children, trace, self.value_spans)
+        alike.memo = self.memo
+        return alike
 
     def value_span(self, attribute: str) -> Span:
         """Return where the attribute's value was written, or else the element's own place."""
@@ -295,7 +328,7 @@ def unshared(root: Element, trace: Frame | None = None) -> Element:
 
     The copy may be changed. `trace` is that of a root which inherits its own.
     """
-    top = with_trace(root, trace if root.trace is INHERITED else root.trace)
+    top = with_trace(root, root.trace_within(trace))
     pending = [(top, top.trace)]
     while pending:
         element, inherited = pending.pop()
@@ -303,11 +336,24 @@ def unshared(root: Element, trace: Frame | None = None) -> Element:
         children = element.children = list(element.children)
         for index, child in enumerate(children):
             if isinstance(child, Element):
-                own = inherited if child.trace is INHERITED else child.trace
+                own = child.trace_within(inherited)
                 copy = children[index] = with_trace(child, own)
                 begins = element is top or isinstance(child, PartElement)
                 pending.append((copy, own if begins else inherited))
     return top
+
+
+def inheriting(
+    name: str,
+    span: Span,
+    attributes: dict[str, object],
+    children: list[Node],
+    value_spans: ValueSpans | None,
+    verbatim: bool = False,
+    body: object = None,
+) -> Element:
+    """Return an element that inherits its trace, so that it can be in several places."""
+    return Element(name, span, attributes, children, INHERITED, value_spans, verbatim, body)
 
 
 def with_trace(element: Element, trace: Frame | None) -> Element:

@@ -8,7 +8,6 @@ Source: the conversion of URDF in SDFormat, parser_urdf.cc, and the specificatio
 
 from __future__ import annotations
 
-from ...diagnostics import INHERITED
 from ...model.recognition import SURFACE_TAGS as READ_TAGS  # of links with collisions
 from ...model.values import attribute_text, content, numbers_in
 from ...xml.tree import Element
@@ -84,7 +83,7 @@ class GazeboBlocks:
         self.losses = Losses()
         for block in robot.element.elements():
             if block.name == "gazebo":
-                trace = None if block.trace is INHERITED else block.trace
+                trace = block.trace_within(None)
                 self._read(block, attribute_text(block, "reference"), trace)
 
     def left(self, bodies: Collection[str]) -> Losses:

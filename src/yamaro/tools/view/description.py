@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from math import isfinite
 
-from ...diagnostics import ERROR, INHERITED, WARNING, Diagnostic, YamaroError
+from ...diagnostics import ERROR, WARNING, Diagnostic, YamaroError
 from ...model.link import Visual
 from ...model.shapes import Mesh
 from ...model.values import attribute_text
@@ -83,7 +83,7 @@ class Owners:
             kind = owner.element.name
             self._names.add((kind, owner.name))
             for element in owner.element.iter():
-                trace = owner.trace if element.trace is INHERITED else element.trace
+                trace = element.trace_within(owner.trace)
                 values = [element.value_span(attribute) for attribute in element.attributes]
                 for span in (element.span, *(each for each in values if each is not element.span)):
                     found = self._by_place.setdefault(span.key(), [])

@@ -7,7 +7,7 @@ which each element knows where it was made, and what the expressions there read:
 
 from __future__ import annotations
 
-from ...diagnostics import INHERITED, Frame, suggest
+from ...diagnostics import Frame, suggest
 from ...model.schema import ELEMENTS
 from ...rendering import excerpt_lines, trace_lines
 from ...source import RecordedSpan, Span
@@ -72,7 +72,7 @@ class Answer:
         self.attribute = attribute
         self.path = path
         self.formats = {"urdf": tags_of(path, attribute)}
-        own = [each.trace for each in reversed(path) if each.trace is not INHERITED]
+        own = [each.trace for each in reversed(path) if not each.inherits_trace()]
         self.trace: Frame | None = own[0] if own else None
         self.span: Span = element.span
         self.value: str | None = None
