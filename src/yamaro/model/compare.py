@@ -87,9 +87,19 @@ class _Comparison:
         first, second = values_of(expected), values_of(actual)
         children, others = expected.elements(), actual.elements()
         if not self._exact and expected.name == "origin" and self._is_posed():
-            first, second = self._with_zeros(first, second)
+            zeros = dict.fromkeys(POSE, ZEROS)
+            self.defaults += sum(name in second and name not in first for name in POSE)
+            first, second = zeros | first, zeros | second
         self._around.append(expected.name)
-        self._compare_attributes(first, second, path)
+        for name, value in first.items():
+            if name not in second:
+                if is_used(name, self._prefixes):
+                    self._note(path, f"'{name}' is missing")
+            elif not same_words(value, second[name]):
+                self._note(path, f"'{name}' is {second[name]!r}, not {value!r}")
+        for name in second:
+            if name not in first and is_used(name, self._prefixes):
+                self._note(path, f"'{name}' should not be there")
         if not same_words(_text(expected), _text(actual)):
             self._note(path, f"its text is {_text(actual)!r}, not {_text(expected)!r}")
         if not self._exact and self._is_posed():
@@ -119,14 +129,6 @@ class _Comparison:
             return [default, *first], second
         return first, [default, *second]
 
-    def _with_zeros(
-        self, first: dict[str, str], second: dict[str, str]
-    ) -> tuple[dict[str, str], dict[str, str]]:
-        """Return the attributes of two origins, each with all that are read."""
-        zeros = dict.fromkeys(POSE, ZEROS)
-        self.defaults += sum(name in second and name not in first for name in POSE)
-        return zeros | first, zeros | second
-
     def _compare_children(
         self, name: str, first: list[Element], second: list[Element], path: tuple[str, ...]
     ) -> None:
@@ -146,19 +148,6 @@ class _Comparison:
             self._note((*path, label(element)), "is missing")
         for element in second[len(first) :]:
             self._note((*path, label(element)), "should not be there")
-
-    def _compare_attributes(
-        self, first: dict[str, str], second: dict[str, str], path: tuple[str, ...]
-    ) -> None:
-        for name, value in first.items():
-            if name not in second:
-                if is_used(name, self._prefixes):
-                    self._note(path, f"'{name}' is missing")
-            elif not same_words(value, second[name]):
-                self._note(path, f"'{name}' is {second[name]!r}, not {value!r}")
-        for name in second:
-            if name not in first and is_used(name, self._prefixes):
-                self._note(path, f"'{name}' should not be there")
 
     def _note(self, path: tuple[str, ...], message: str) -> None:
         self.differences.append(Difference(path, message))

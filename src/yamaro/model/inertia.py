@@ -8,8 +8,6 @@ from .pose import UNTURNED
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from ..meshes.triangles import TriangleMesh
     from .pose import Rotation, Vector
 
@@ -66,7 +64,10 @@ def solid_moments(mesh: TriangleMesh) -> SolidMoments:
     Source: J. Blow and A. J. Binstock, How to find the inertia tensor (or other mass properties)
     of a 3D solid body represented by a triangle mesh, 2004.
     """
-    ox, oy, oz = _middle(mesh.vertices)
+    # About the middle of the bounding box: far from the origin the sums would lose digits.
+    lows = [min(axis) for axis in zip(*mesh.vertices, strict=True)]
+    highs = [max(axis) for axis in zip(*mesh.vertices, strict=True)]
+    ox, oy, oz = ((low + high) / 2 for low, high in zip(lows, highs, strict=True))
     points = [(x - ox, y - oy, z - oz) for x, y, z in mesh.vertices]
     volume = mx = my = mz = xx = xy = xz = yy = yz = zz = 0.0
     for i, j, k in mesh.triangles:
@@ -93,14 +94,6 @@ def solid_moments(mesh: TriangleMesh) -> SolidMoments:
         tuple(sign * value / 120 for value in second),
         (ox, oy, oz),
     )
-
-
-def _middle(vertices: Sequence[Vector]) -> Vector:
-    """Return the middle of the bounding box; far from the origin the sums would lose digits."""
-    lows = [min(axis) for axis in zip(*vertices, strict=True)]
-    highs = [max(axis) for axis in zip(*vertices, strict=True)]
-    x, y, z = ((low + high) / 2 for low, high in zip(lows, highs, strict=True))
-    return (x, y, z)
 
 
 def _moved(volume: float, first: Vector, second: tuple[float, ...], offset: Vector) -> SolidMoments:
@@ -151,7 +144,8 @@ def principal_axes(inertia: Rotation) -> tuple[Vector, Rotation]:
         turns = [_turn(rows, axes, p, q, other) for p, q, other in _PLANES]
         if not any(turns):
             break
-    a, b, c = (_unit(column) for column in zip(*axes, strict=True))
+    columns = list(zip(*axes, strict=True))
+    a, b, c = (tuple(part / hypot(*column) for part in column) for column in columns)
     rotation = tuple(zip(a, b, c, strict=True))
     return (rows[0][0], rows[1][1], rows[2][2]), rotation  # type: ignore[return-value]
 
@@ -180,8 +174,3 @@ def _turn(rows: Rows, axes: Rows, p: int, q: int, other: int) -> bool:
         x, y = row[p], row[q]
         row[p], row[q] = cosine * x - sine * y, sine * x + cosine * y
     return True
-
-
-def _unit(column: tuple[float, ...]) -> tuple[float, ...]:
-    length = hypot(*column)
-    return tuple(part / length for part in column)

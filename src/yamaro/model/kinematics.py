@@ -36,30 +36,25 @@ def joint_positions(robot: Robot, given: GivenPositions | None = None) -> dict[s
         positions = read_positions(robot, given)
     for joint in robot.joints.values():
         if joint.mimic is not None:
-            _follow(joint, robot, positions)
+            chain: dict[str, Joint] = {}  # to the first whose position is known, or its own
+            leader: Joint | None = joint
+            while leader is not None and leader.mimic is not None and leader.name not in chain:
+                if leader.name in positions:
+                    break
+                chain[leader.name] = leader
+                leader = robot.joints.get(leader.mimic.joint)
+            found = positions.get(leader.name, 0.0) if leader is not None else 0.0
+            position = found if isinstance(found, float) else 0.0
+            for follower in reversed(chain.values()):
+                assert follower.mimic is not None
+                position = follower.mimic.multiplier * position + follower.mimic.offset
+                positions[follower.name] = position
         elif joint.name not in positions and joint.type != FIXED:
             positions[joint.name] = _ZERO.get(joint.type, 0.0)
     return positions
 
 
 _ZERO: dict[str, Position] = {PLANAR: (0.0, 0.0, 0.0), FLOATING: IDENTITY}
-
-
-def _follow(joint: Joint, robot: Robot, positions: dict[str, Position]) -> None:
-    """Add the position of a joint that mimics another, and of those on the way to it."""
-    chain: dict[str, Joint] = {}
-    leader: Joint | None = joint
-    while leader is not None and leader.mimic is not None and leader.name not in chain:
-        if leader.name in positions:
-            break
-        chain[leader.name] = leader
-        leader = robot.joints.get(leader.mimic.joint)
-    found = positions.get(leader.name, 0.0) if leader is not None else 0.0
-    position = found if isinstance(found, float) else 0.0
-    for follower in reversed(chain.values()):
-        assert follower.mimic is not None
-        position = follower.mimic.multiplier * position + follower.mimic.offset
-        positions[follower.name] = position
 
 
 def joint_transform(joint: Joint, position: Position) -> Pose:

@@ -199,7 +199,21 @@ class Robot(Written):
         It is the first that belongs to the robot, or else the first in a visual.
         """
         if self._materials is None:
-            self._materials = ByName("material", _definitions(self.own_materials, self.all_links))
+            found: dict[str, Material] = {}
+            for material in self.own_materials:
+                if material.name and material.is_defined:
+                    found.setdefault(material.name, material)
+            seen: set[int] = set()
+            for link in self.all_links:
+                visuals = link.visuals
+                if not visuals or id(visuals) in seen:
+                    continue
+                seen.add(id(visuals))
+                for visual in visuals:
+                    inner = visual.material
+                    if inner is not None and inner.name and inner.is_defined:
+                        found.setdefault(inner.name, inner)
+            self._materials = ByName("material", found)
         return self._materials
 
     @property
@@ -468,23 +482,4 @@ def _first_of_each_name(things: Sequence[Named]) -> dict[str, Named]:
         found = {}
         for thing in things:
             found.setdefault(thing.name, thing)
-    return found
-
-
-def _definitions(materials: tuple[Material, ...], links: tuple[Link, ...]) -> dict[str, Material]:
-    """Return the definition of each material's name: the robot's own, then those in visuals."""
-    found: dict[str, Material] = {}
-    for material in materials:
-        if material.name and material.is_defined:
-            found.setdefault(material.name, material)
-    seen: set[int] = set()
-    for link in links:
-        visuals = link.visuals
-        if not visuals or id(visuals) in seen:
-            continue
-        seen.add(id(visuals))
-        for visual in visuals:
-            inner = visual.material
-            if inner is not None and inner.name and inner.is_defined:
-                found.setdefault(inner.name, inner)
     return found

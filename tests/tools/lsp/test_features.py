@@ -6,6 +6,9 @@ import pytest
 
 from tests.files.wheels import install
 from tests.tools.lsp.client import Client
+from yamaro.robot.fields import PLACES
+from yamaro.robot.notes import JOINT_WORDS, LINK_WORDS, SURFACE
+from yamaro.tools.lsp.contexts import MANUAL
 
 ARM = """robot: arm
 arguments:
@@ -488,3 +491,9 @@ def test_a_finding_is_accepted_by_a_quick_fix_and_obeyed(client, tmp_path):
     client.wait_for_codes(uri, ["unused-allow"])
     actions = client.request("textDocument/codeAction", {**built, "context": {"diagnostics": []}})
     assert actions[0]["title"] == "remove the comment"
+
+
+def test_the_manual_has_the_keys_of_parts() -> None:
+    beside = {"joint": JOINT_WORDS, "link": LINK_WORDS, "collision": {SURFACE}}
+    for place in PLACES:
+        assert set(MANUAL[place.name]) == place.all_keys | beside.get(place.name, set())

@@ -46,7 +46,19 @@ def compare_extras(comparing: Comparing) -> None:
     _compare_named("state", first.states, second.states, _compare_states, comparing)
     _compare_named("group", first.groups, second.groups, _compare_groups, comparing)
     _compare_named("loop", first.loops, second.loops, _compare_loops, comparing)
-    _compare_settings(first, second, comparing)
+    places = (comparing.first.span, comparing.second.span)
+    owner = Owner("robot", comparing.first.name, new_name=None, places=places)
+    bases = [each.base and each.base.type for each in (first, second)]
+    comparing.text(owner, "base", bases)
+    one, other = first.collision_settings, second.collision_settings
+    if one is None or other is None:
+        if one is not other:
+            comparing.change(owner, "collisions", _settings(one), _settings(other))
+        return
+    owner = Owner("collisions", "", new_name=None, places=(one.span, other.span))
+    _compare_fields(one, other, COLLISIONS, owner, comparing, but=("keep",))
+    kept = [" ".join(map(comparing.link, pair)) for pair in one.keep]
+    comparing.text(owner, "keep", (kept, [" ".join(pair) for pair in other.keep]))
 
 
 def extras_held(robot: Robot) -> list[str]:
@@ -174,23 +186,6 @@ def _compare_loops(one: object, other: object, owner: Owner, comparing: Comparin
     first = [comparing.link(name) for name in ends[0]]
     comparing.text(owner, "between", (first, list(ends[1])))
     _compare_fields(one, other, LOOP, owner, comparing, but=("name", "between"))
-
-
-def _compare_settings(first: Extras, second: Extras, comparing: Comparing) -> None:
-    """Compare how the robots are placed in the world, and how their collisions are found."""
-    places = (comparing.first.span, comparing.second.span)
-    owner = Owner("robot", comparing.first.name, new_name=None, places=places)
-    bases = [each.base and each.base.type for each in (first, second)]
-    comparing.text(owner, "base", bases)
-    one, other = first.collision_settings, second.collision_settings
-    if one is None or other is None:
-        if one is not other:
-            comparing.change(owner, "collisions", _settings(one), _settings(other))
-        return
-    owner = Owner("collisions", "", new_name=None, places=(one.span, other.span))
-    _compare_fields(one, other, COLLISIONS, owner, comparing, but=("keep",))
-    kept = [" ".join(map(comparing.link, pair)) for pair in one.keep]
-    comparing.text(owner, "keep", (kept, [" ".join(pair) for pair in other.keep]))
 
 
 def _settings(settings: object) -> object:

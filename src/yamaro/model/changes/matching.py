@@ -35,15 +35,6 @@ class Matching:
 
     def _match_renamed_links(self) -> None:
         """Match links of other names: those below joints of one name, the roots, and the others."""
-        self._match_below_joints()
-        self._match_root()
-        waiting = [name for name in self._first.links if name in self.links]
-        while waiting:
-            parent = waiting.pop()
-            waiting += self._match_children(parent)
-
-    def _match_below_joints(self) -> None:
-        """Match links that joints of one name hold, whatever else differs."""
         taken = set(self.links.values())
         for name in self.joints:
             link, other = self._first.joints[name].child, self._second.joints[name].child
@@ -51,6 +42,19 @@ class Matching:
                 if link not in self.links and other not in taken:
                     self.links[link] = other
                     taken.add(other)
+        self._match_root()
+        waiting = [name for name in self._first.links if name in self.links]
+        while waiting:
+            parent = waiting.pop()
+            below = self._second.joints_below(self.links[parent])
+            taken = set(self.links.values())
+            mine = [
+                joint for joint in self._first.joints_below(parent) if joint.child not in self.links
+            ]
+            others = [joint for joint in below if joint.child not in taken]
+            for joint, twin in self._pairs_of(mine, others):
+                self.links[joint.child] = twin.child
+                waiting.append(joint.child)
 
     def _match_root(self) -> None:
         """Match the only root of each robot, if both have the same content or joints below."""
@@ -64,17 +68,6 @@ class Matching:
         shared = below & {joint.name for joint in self._second.joints_below(other.name)}
         if shared or link_signature(root) == link_signature(other):
             self.links[root.name] = other.name
-
-    def _match_children(self, parent: str) -> list[str]:
-        """Match renamed links directly below a link; return their names in the first robot."""
-        taken = set(self.links.values())
-        mine = [j for j in self._first.joints_below(parent) if j.child not in self.links]
-        others = [j for j in self._second.joints_below(self.links[parent]) if j.child not in taken]
-        matched = []
-        for joint, other in self._pairs_of(mine, others):
-            self.links[joint.child] = other.child
-            matched.append(joint.child)
-        return matched
 
     def _pairs_of(self, mine: list[Joint], others: list[Joint]) -> list[tuple[Joint, Joint]]:
         """Return which joints hold the same link: the surest matches first."""

@@ -129,7 +129,14 @@ class MotionComparison:
         """Return whether the robots move the same."""
         if not self._links:
             return Motion(is_same=False, reason="the robots have no link in common")
-        ranges = tuple(self._joints_with_other_ranges())
+        others = []  # joints with other ranges
+        same = self._comparing.tolerance.same
+        for name, new in self._joints.items():
+            one, other = self._first.joints[name], self._second.joints[new]
+            if _moves(one) and _moves(other):
+                if not (same(one.lower, other.lower) and same(one.upper, other.upper)):
+                    others.append(name)
+        ranges = tuple(others)
         reason = self._other_joints()
         if reason is None:
             reason = self._worst(self._theirs)
@@ -186,16 +193,6 @@ class MotionComparison:
             theirs.append(self._relative(self._second, self._translated(turned), new))
         return tuple(names) if self._worst(theirs) is None else ()
 
-    def _joints_with_other_ranges(self) -> list[str]:
-        found = []
-        for name, new in self._joints.items():
-            one, other = self._first.joints[name], self._second.joints[new]
-            same = self._comparing.tolerance.same
-            if _moves(one) and _moves(other):
-                if not (same(one.lower, other.lower) and same(one.upper, other.upper)):
-                    found.append(name)
-        return found
-
     # --- causes ---
 
     def moved_by(self, causes: list[Change]) -> list[tuple[Change, Moved]]:
@@ -214,7 +211,16 @@ class MotionComparison:
                 cause = self._nearest(name, mine, theirs, nearest)
                 if cause is not None:
                     groups.setdefault(id(cause), (cause, []))[1].append(name)
-        return [(cause, self._moved(names)) for cause, names in groups.values()]
+        moved = []
+        for cause, names in groups.values():
+            found = self._furthest(names, self._theirs)
+            assert found is not None, "these links are elsewhere"
+            distance, angle, link, number = found
+            furthest = Moved(
+                names, link=link, distance=distance, angle=angle, is_at_zero=not number
+            )
+            moved.append((cause, furthest))
+        return moved
 
     def _nearest(
         self,
@@ -260,13 +266,6 @@ class MotionComparison:
             if distance > self._distance or angle > self._angle:
                 return True
         return False
-
-    def _moved(self, names: list[str]) -> Moved:
-        """Return how far links moved: at zero, or if they are still there, in other positions."""
-        found = self._furthest(names, self._theirs)
-        assert found is not None, "these links are elsewhere"
-        distance, angle, link, number = found
-        return Moved(names, link=link, distance=distance, angle=angle, is_at_zero=not number)
 
     def _furthest(
         self, names: list[str], theirs: list[Poses]

@@ -22,9 +22,7 @@ if TYPE_CHECKING:
     from ..link import Collision, Inertial, Link, Material, Visual
     from ..pose import Vector
     from ..robot import Robot
-    from ..schema import Thing
     from ..shapes import Inertia, Shape
-    from ..values import Written
     from .context import Comparing, Place, SameFile
 
 
@@ -58,7 +56,28 @@ def compare_robots(
     compare_other_elements(comparing)
     if has_extras:
         compare_extras(comparing)
-    return _with_consequences(comparing, has_extras=has_extras)
+    first, second = comparing.first, comparing.second
+    motions = MotionComparison(comparing)
+    causes: dict[str, Change] = {}
+    for change in comparing.changes:
+        is_kinematic = change.kind in (ADDED, REMOVED) or (
+            change.kind == CHANGED and change.what.partition(".")[0] in KINEMATIC
+        )
+        if change.of == "joint" and is_kinematic:  # then links can be elsewhere
+            causes.setdefault(change.name, change)
+    for cause, moved in motions.moved_by(list(causes.values())):
+        cause.moved = moved
+    new = comparing.matching.links.get(motions.reference, "")
+    skipped = [] if has_extras else [*extras_held(first), *extras_held(second)]
+    return Changes(
+        comparing.changes,
+        motion=motions.motion(),
+        mass=(first.mass, second.mass),
+        center=(_center(first, motions.reference), _center(second, new)),
+        links=comparing.matching.links,
+        joints=comparing.matching.joints,
+        skipped=skipped,
+    )
 
 
 def _compare_all(
@@ -88,32 +107,6 @@ def _compare_all(
     for name, other in second.items():
         if name not in known:
             comparing.add(of, name, is_new=True, value=facts(other), place=other.span)
-
-
-def _with_consequences(comparing: Comparing, *, has_extras: bool) -> Changes:
-    """Return the changes with the links that moved because of them."""
-    first, second = comparing.first, comparing.second
-    motions = MotionComparison(comparing)
-    causes: dict[str, Change] = {}
-    for change in comparing.changes:
-        is_kinematic = change.kind in (ADDED, REMOVED) or (
-            change.kind == CHANGED and change.what.partition(".")[0] in KINEMATIC
-        )
-        if change.of == "joint" and is_kinematic:  # then links can be elsewhere
-            causes.setdefault(change.name, change)
-    for cause, moved in motions.moved_by(list(causes.values())):
-        cause.moved = moved
-    new = comparing.matching.links.get(motions.reference, "")
-    skipped = [] if has_extras else [*extras_held(first), *extras_held(second)]
-    return Changes(
-        comparing.changes,
-        motion=motions.motion(),
-        mass=(first.mass, second.mass),
-        center=(_center(first, motions.reference), _center(second, new)),
-        links=comparing.matching.links,
-        joints=comparing.matching.joints,
-        skipped=skipped,
-    )
 
 
 def _center(robot: Robot, reference: str) -> Vector | None:
@@ -377,38 +370,25 @@ def compare_joints(one: Joint, other: Joint, comparing: Comparing) -> None:
     kind = PRISMATIC if PRISMATIC in (one.type, other.type) else one.type
     for part in WITH_NUMBERS:
         values = (getattr(one, part), getattr(other, part))
-        if values[0] is not values[1]:
-            _compare_numbers(ELEMENTS[part], values, owner, comparing, kind)
+        if values[0] is values[1]:
+            continue
+        left_out = 0.0 if part == "dynamics" else None  # without a limit there is none
+        for name, field in ELEMENTS[part].fields.items():
+            before, after = (left_out if each is None else getattr(each, name) for each in values)
+            places = [None if each is None else each.span_of(name) for each in values]
+            comparing.number(
+                owner,
+                f"{part}.{name}",
+                (before, after),
+                unit=unit_of(field.kind, kind),
+                places=(places[0], places[1]),
+            )
     _compare_mimics(one, other, owner, comparing, unit=unit_of("position", kind))
 
 
 def _places(one: object, other: object) -> Place:
     """Return where two elements are written."""
     return (getattr(one, "span", None), getattr(other, "span", None))
-
-
-def _compare_numbers(
-    thing: Thing,
-    values: tuple[Written | None, Written | None],
-    owner: Owner,
-    comparing: Comparing,
-    joint_type: str,
-) -> None:
-    """Compare two limits, or other parts of joints that may be left out.
-
-    A joint without dynamics has those of 0; one without a limit has none.
-    """
-    left_out = 0.0 if thing.name == "dynamics" else None
-    for name, field in thing.fields.items():
-        before, after = (left_out if each is None else getattr(each, name) for each in values)
-        places = [None if each is None else each.span_of(name) for each in values]
-        comparing.number(
-            owner,
-            f"{thing.name}.{name}",
-            (before, after),
-            unit=unit_of(field.kind, joint_type),
-            places=(places[0], places[1]),
-        )
 
 
 def _compare_mimics(
@@ -512,7 +492,12 @@ def compare_looks(
         is_made_of_color(names[1], comparing.second),
     )
     if not any(is_made):
-        if names[0] != names[1] and not _is_renamed(names, comparing):
+        is_renamed = any(  # which is noted with the materials
+            change.kind == RENAMED and (change.name, change.new_name) == names
+            for change in comparing.changes
+            if change.of == "material"
+        )
+        if names[0] != names[1] and not is_renamed:
             remark = "with the same look" if _look(first) == _look(second) else ""
             comparing.change(owner, f"{what}.material", *names, remark=remark, places=places)
         return
@@ -524,15 +509,6 @@ def compare_looks(
         comparing.change(owner, f"{what}.material", before, after, places=places)
         return
     _compare_look(first, second, f"{what}.", owner, comparing)
-
-
-def _is_renamed(names: tuple[str, str], comparing: Comparing) -> bool:
-    """Return whether a material was renamed, which is noted with the materials."""
-    return any(
-        change.kind == RENAMED and (change.name, change.new_name) == names
-        for change in comparing.changes
-        if change.of == "material"
-    )
 
 
 def _compare_look(

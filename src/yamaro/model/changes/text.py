@@ -43,7 +43,9 @@ def values_text(change: Change) -> str:
         text += f" {change.unit}"
     elif change.unit:
         text = text.replace(ARROW, f" {change.unit}{ARROW}")
-    percent = _percent(before, after) if change.what == "mass" else ""
+    percent = ""
+    if change.what == "mass" and isinstance(before, float) and isinstance(after, float):
+        percent = f"{100 * (after / before - 1):+.3g} %" if before > 0 else ""
     remarks = [part for part in (percent, change.remark) if part]
     return f"{text} ({', '.join(remarks)})" if remarks else text
 
@@ -100,12 +102,6 @@ def value_text(value: object, digits: int = DIGITS[0]) -> str:
     if isinstance(value, dict):
         return ", ".join(f"{name} {value_text(item, digits)}" for name, item in value.items())
     return " ".join(str(value).split()) or '""'
-
-
-def _percent(before: object, after: object) -> str:
-    if not isinstance(before, float) or not isinstance(after, float) or before <= 0:
-        return ""
-    return f"{100 * (after / before - 1):+.3g} %"
 
 
 # --- text -------------------------------------------------------------------------------------
@@ -221,7 +217,7 @@ class DiffText:
                 for group in groups:
                     lines += self._lines_of(group, color)
         lines += self.totals()
-        return "\n".join(map(_safe, lines)) + "\n"
+        return "\n".join(line.replace("\n", " ") for line in lines) + "\n"
 
     def _lines_of(self, rows: list[Line], color: bool) -> list[str]:
         """Return the lines about one thing, or about several that changed in the same way."""
@@ -234,7 +230,8 @@ class DiffText:
             lines.append(begin)
             begin = "     "
         for row in rows:
-            place = self._place(row)
+            places = {self._place_of(change) for change in row.changes}
+            place = places.pop() if len(places) == 1 else ""
             parts = [begin + ("  " if begin.strip() and row.text else " ") + shortened(row.text)]
             if place:
                 parts.append(_painted(f"({printable(place)})", DIM, color))
@@ -253,7 +250,20 @@ class DiffText:
         """
         things: dict[tuple[str, str], list[Line]] = {}
         for change in changes:
-            row = self._row(change)
+            row: Line | None
+            if change.kind == CHANGED:
+                values = values_text(change)
+                row = Line(change, f"{change.what} {values}" if change.what else values)
+            elif change.kind == RENAMED:
+                text = self._renamed_text(change)
+                row = Line(change, text) if text else None
+            elif change.of == "link":
+                row = self._one_sided_link(change)
+            elif change.of == "joint":
+                row = self._one_sided_joint(change)
+            else:
+                value = change.after if change.kind == ADDED else change.before
+                row = Line(change, "" if value is None else value_text(value))
             if row is not None:
                 things.setdefault((change.kind, change.name), []).append(row)
         groups: list[list[Line]] = []
@@ -268,23 +278,6 @@ class DiffText:
                     continue
             groups.append(rows)
         return groups
-
-    def _row(self, change: Change) -> Line | None:
-        row: Line | None
-        if change.kind == CHANGED:
-            values = values_text(change)
-            row = Line(change, f"{change.what} {values}" if change.what else values)
-        elif change.kind == RENAMED:
-            text = self._renamed_text(change)
-            row = Line(change, text) if text else None
-        elif change.of == "link":
-            row = self._one_sided_link(change)
-        elif change.of == "joint":
-            row = self._one_sided_joint(change)
-        else:
-            value = change.after if change.kind == ADDED else change.before
-            row = Line(change, "" if value is None else value_text(value))
-        return row
 
     def _renamed_text(self, change: Change) -> str:
         """Return the new name, of a link with its joint's; "" for a joint renamed with its link."""
@@ -316,7 +309,15 @@ class DiffText:
         if joint is not None:
             parts.append(f"on {joint.parent} by {joint.name} ({joint.type})")
         row = Line(change, ", ".join(parts))
-        below = _below(robot, change.name, others)
+        found: dict[str, None] = {}
+        pending = [change.name]
+        while pending:
+            joints = robot.joints_below(pending.pop())
+            children = [j.child for j in joints if j.child in others and j.child not in found]
+            found.update(dict.fromkeys(children))
+            pending += reversed(children)
+        found.pop(change.name, None)
+        below = list(found)
         if below:
             count = f"{len(below)} links" if len(below) > 1 else "the link"
             row.below.append(f"and {count} below it: {_several(list(map(printable, below)))}")
@@ -347,11 +348,6 @@ class DiffText:
             if distance > LEAST_MOVED:
                 lines.append(f"centre of mass: moved {length_text(distance)}")
         return [*lines, motion_text(self._changes)]
-
-    def _place(self, row: Line) -> str:
-        """Return where all changes of a line are written, or "" for several places."""
-        places = {self._place_of(change) for change in row.changes}
-        return places.pop() if len(places) == 1 else ""
 
     def _place_of(self, change: Change) -> str:
         """Return where a change is written: lines of the files compared, or of other files."""
@@ -427,19 +423,6 @@ def _moved_text(moved: list[Moved]) -> str:
     return f"moves {len(links)} links, the furthest {how}: {_several(list(map(printable, links)))}"
 
 
-def _below(robot: Robot, link: str, among: dict[str, Change]) -> list[str]:
-    """Return the links below one that are among some, in depth-first order."""
-    found: dict[str, None] = {}
-    pending = [link]
-    while pending:
-        joints = robot.joints_below(pending.pop())
-        children = [j.child for j in joints if j.child in among and j.child not in found]
-        found.update(dict.fromkeys(children))
-        pending += reversed(children)
-    found.pop(link, None)
-    return list(found)
-
-
 def _several(names: list[str]) -> str:
     """Return names in a row, the first ones of many."""
     if len(names) <= MOST_NAMES:
@@ -450,8 +433,3 @@ def _several(names: list[str]) -> str:
 
 def _painted(text: str, style: str, color: bool) -> str:
     return painted(text, style) if color else text
-
-
-def _safe(line: str) -> str:
-    """Return a line whose parts have been escaped already, without line breaks."""
-    return line.replace("\n", " ")

@@ -8,7 +8,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from ...model.changes.change import Change, Changes, Moved
+    from ...model.changes.change import Changes, Moved
     from ...source import Span
 
 VERSION = 1
@@ -31,7 +31,23 @@ def changes_data(
         "first": labels[0],
         "second": labels[1],
         "same": not changes.changes,
-        "changes": [_change(change, name) for change in changes.changes],
+        "changes": [
+            {
+                "kind": change.kind,
+                "of": change.of,
+                "name": change.name,
+                "new_name": change.new_name,
+                "what": change.what or None,
+                "before": _plain(change.before),
+                "after": _plain(change.after),
+                "unit": change.unit or None,
+                "remark": change.remark or None,
+                "first": _place(change.first, name),
+                "second": _place(change.second, name),
+                "moved": _moved(change.moved),
+            }
+            for change in changes.changes
+        ],
         "motion": {
             "same": motion.is_same,
             "reason": motion.reason or None,
@@ -45,23 +61,6 @@ def changes_data(
             "after": _plain(changes.center[1]),
         },
         "skipped": changes.skipped,
-    }
-
-
-def _change(change: Change, name: Callable[[Span], str]) -> dict[str, object]:
-    return {
-        "kind": change.kind,
-        "of": change.of,
-        "name": change.name,
-        "new_name": change.new_name,
-        "what": change.what or None,
-        "before": _plain(change.before),
-        "after": _plain(change.after),
-        "unit": change.unit or None,
-        "remark": change.remark or None,
-        "first": _place(change.first, name),
-        "second": _place(change.second, name),
-        "moved": _moved(change.moved),
     }
 
 

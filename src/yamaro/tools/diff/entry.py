@@ -88,7 +88,13 @@ def run(arguments: Arguments, streams: Streams) -> int:
     policy = make_policy(arguments)
     if not policy.is_trusted:
         streams.silence_libraries()
-    tolerance = _tolerance(arguments)
+    text = arguments.options.get("tolerance", "1e-9")
+    try:
+        tolerance = float(text)
+    except ValueError:
+        tolerance = -1.0
+    if not 0 <= tolerance < 1:
+        raise WrongUsage(f"'--tolerance' takes a number from 0 to 1, not {quote(text)}")
     with Origins(os.getcwd()) as origins:
         if arguments.has("git"):
             return _run_for_git(arguments, streams, policy, origins, tolerance)
@@ -100,18 +106,16 @@ def run(arguments: Arguments, streams: Streams) -> int:
         if sides is None:
             return TROUBLE
         changes = _compared(sides, tolerance)
-        return _deliver(changes, sides, arguments, streams)
-
-
-def _tolerance(arguments: Arguments) -> float:
-    text = arguments.options.get("tolerance", "1e-9")
-    try:
-        tolerance = float(text)
-    except ValueError:
-        tolerance = -1.0
-    if not 0 <= tolerance < 1:
-        raise WrongUsage(f"'--tolerance' takes a number from 0 to 1, not {quote(text)}")
-    return tolerance
+        labels = (sides[0].origin.label, sides[1].origin.label)
+        text = _written(changes, sides, labels, arguments, streams)
+        if changes.skipped and not streams.quiet and not arguments.has("json"):
+            names = [side.origin.label for side in sides if not side.has_extras]
+            streams.say(
+                f"not compared, since {names[0]} cannot hold them: {_joined(changes.skipped)}"
+            )
+        if text and deliver([text], arguments, streams) != DONE:
+            return TROUBLE
+        return DIFFERENT if changes and not arguments.has("exit-zero") else SAME
 
 
 def _origin(word: str, origins: Origins) -> Origin:
@@ -193,19 +197,6 @@ def _compared(sides: tuple[Side, Side], tolerance: float) -> Changes:
 # --- writing ---
 
 
-def _deliver(
-    changes: Changes, sides: tuple[Side, Side], arguments: Arguments, streams: Streams
-) -> int:
-    labels = (sides[0].origin.label, sides[1].origin.label)
-    text = _written(changes, sides, labels, arguments, streams)
-    if changes.skipped and not streams.quiet and not arguments.has("json"):
-        names = [side.origin.label for side in sides if not side.has_extras]
-        streams.say(f"not compared, since {names[0]} cannot hold them: {_joined(changes.skipped)}")
-    if text and deliver([text], arguments, streams) != DONE:
-        return TROUBLE
-    return DIFFERENT if changes and not arguments.has("exit-zero") else SAME
-
-
 def _joined(phrases: list[str]) -> str:
     return ", ".join(dict.fromkeys(phrases))
 
@@ -231,7 +222,8 @@ def _written(
         return json.dumps(changes_data(changes, labels, name=name), indent=2) + "\n"
     if arguments.has("stat"):
         return summary_text(changes)
-    color = _has_color(arguments, streams)
+    in_pager = arguments.has("git") and os.environ.get("GIT_PAGER_IN_USE") == "true"
+    color = has_color(arguments, is_terminal=in_pager or streams.is_terminal(result=True))
 
     def plain_name(span: Span) -> str:
         names = (side.origin.plain_name_of(span) for side in sides)
@@ -240,12 +232,6 @@ def _written(
     robots = (sides[0].robot, sides[1].robot)
     mains = (sides[0].origin.main, sides[1].origin.main)
     return DiffText(changes, robots, name=plain_name, mains=mains).render(labels, color=color)
-
-
-def _has_color(arguments: Arguments, streams: Streams) -> bool:
-    """Return whether to colour; git's pager shows colours, though it is not a terminal."""
-    in_pager = arguments.has("git") and os.environ.get("GIT_PAGER_IN_USE") == "true"
-    return has_color(arguments, is_terminal=in_pager or streams.is_terminal(result=True))
 
 
 # --- for git ---

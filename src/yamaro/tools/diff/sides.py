@@ -417,7 +417,14 @@ class Origin:
         inside = self.checkout.folder + os.sep
         for diagnostic in diagnostics:
             sources = [diagnostic.span.source]
-            for step in _steps(diagnostic.trace):
+            found: dict[int, Frame] = {}
+            pending = [diagnostic.trace]
+            while pending:
+                step = pending.pop()
+                if step is not None and id(step) not in found:
+                    found[id(step)] = step
+                    pending += [step.parent, step.home]
+            for step in found.values():
                 sources.append(step.span.source)
                 step.name = step.name.replace(inside, self.prefix)
             for source in sources:
@@ -524,18 +531,6 @@ class Origins:
             checkout = self._checkouts[revision] = Checkout(self.repository(), revision)
         found = checkout.path_of(path)
         return Origin(found, f"{revision}:{path}", checkout, prefix=f"{revision}:")
-
-
-def _steps(trace: Frame | None) -> Iterable[Frame]:
-    """Return the calls and includes that led to a place, and to the files that these are in."""
-    found: dict[int, Frame] = {}
-    pending = [trace]
-    while pending:
-        step = pending.pop()
-        if step is not None and id(step) not in found:
-            found[id(step)] = step
-            pending += [step.parent, step.home]
-    return found.values()
 
 
 def _is_in(path: str, folder: str) -> bool:

@@ -115,7 +115,17 @@ class Program:
         use = place.use
         assert use is not None
         if isinstance(use.owner, CallNode):
-            return self._parameter(place.text, use, use.owner)
+            parameters = []
+            for function in self.functions(place.text, use.owner.name, use.context):
+                context = function_context(function)
+                if context is None:
+                    continue
+                for is_called in (False, True):
+                    parameters += [
+                        Place(function.text, declaration=each, use=None)
+                        for each in context.find(use.name, is_called=is_called)
+                    ]
+            return parameters
         if isinstance(use.owner, IncludeNode):
             file = self._file(self._included(place.text, use.owner))
             found = [] if file is None else file.names.file.find(use.name, is_called=False)
@@ -178,19 +188,6 @@ class Program:
             ]
         found = self._visible(text, last, context, is_called=True)
         return [place for place in found if function_context(place) is not None]
-
-    def _parameter(self, text: Text, use: Use, call: CallNode) -> list[Place]:
-        found = []
-        for function in self.functions(text, call.name, use.context):
-            context = function_context(function)
-            if context is None:
-                continue
-            for is_called in (False, True):
-                found += [
-                    Place(function.text, declaration=each, use=None)
-                    for each in context.find(use.name, is_called=is_called)
-                ]
-        return found
 
     def _files_in(self, text: Text, space: str) -> Iterator[Text]:
         """Yield the files that are included into a namespace."""

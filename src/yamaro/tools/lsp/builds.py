@@ -106,7 +106,14 @@ class Job:
             self._build(settings, result)
         except YamaroError as error:
             result.diagnostics = error.diagnostics
-            result.files = [self.main, *_files_of(error.diagnostics)]
+            paths: dict[str, None] = {}
+            for diagnostic in error.diagnostics:
+                paths[diagnostic.span.source.path] = None
+                frame, count = diagnostic.trace, 0
+                while frame is not None and count < 100:
+                    paths[frame.span.source.path] = None
+                    frame, count = frame.parent, count + 1
+            result.files = [self.main, *[path for path in paths if path]]
         except UsageError:  # the file is gone, or an argument that the user has set is not one
             pass
         except JailAbandoned:
@@ -142,18 +149,6 @@ class Job:
 
 def _drop(message: str) -> None:
     """Take what a file prints: nobody asked for it."""
-
-
-def _files_of(diagnostics: Sequence[Diagnostic]) -> list[str]:
-    """Return the files that diagnostics name, with those of the includes that led there."""
-    paths: dict[str, None] = {}
-    for diagnostic in diagnostics:
-        paths[diagnostic.span.source.path] = None
-        frame, count = diagnostic.trace, 0
-        while frame is not None and count < 100:
-            paths[frame.span.source.path] = None
-            frame, count = frame.parent, count + 1
-    return [path for path in paths if path]
 
 
 class Builder:

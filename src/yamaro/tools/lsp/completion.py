@@ -384,7 +384,15 @@ class Completion:
             return
         attributes = _ATTRIBUTES.fullmatch(stripped)
         if attributes is not None:
-            self._attributes(attributes[1], attributes[2])
+            name, written = attributes[1], attributes[2]
+            last = written.rpartition(",")[2]
+            if "=" in last:
+                attribute = last.partition("=")[0].strip().removesuffix(":")
+                self._items.add_attribute_values(self._program(), name, attribute)
+            else:
+                self._items.add_attributes(name)
+                if "=" not in written:
+                    self._items.add_scopes()
             return
         word = _WORD.search(before)
         typed = word[0] if word is not None else ""
@@ -429,7 +437,23 @@ class Completion:
             mark = f" {_MARK}" if self._line[-1:] == ":" else _MARK
         line_end = end + len(text[end:].split("\n", 1)[0].rstrip("\r"))
         tail = text[end:line_end]
-        closed = tail + _closing(self._line + tail)
+        line = self._line + tail
+        pending: list[str] = []  # the brackets that the line leaves open: no YAML follows them
+        at = 0
+        while at < len(line):
+            char = line[at]
+            if line.startswith("$(", at):
+                close = find_close(line, at + 2)
+                at = close if close >= 0 else len(line)
+            elif char in "'\"" and line[at - 1 : at] in ("", " ", "{", "[", ","):
+                close = line.find(char, at + 1)
+                at = close if close >= 0 else at
+            elif char in "{[" and (pending or line[at - 1 : at] in ("", " ")):
+                pending.append("}" if char == "{" else "]")
+            elif pending and char == pending[-1]:
+                pending.pop()
+            at += 1
+        closed = tail + "".join(reversed(pending))
         source = Source(text[:start] + mark + closed + text[line_end:], name=self._text.path)
         reading = read_on(source, reporter=Reporter())
         return cursor_at(reading.root, start + (mark.startswith(" ")) + 1)
@@ -470,7 +494,12 @@ class Completion:
                 for name in ("part", "joint", "link"):
                     items.add_words(name, present)
         if place.name == "include" or place.name == "attach":
-            self._passed(cursor, present)
+            for key, value in cursor.mapping.pairs if cursor.mapping is not None else ():
+                if key.text == "path" and isinstance(value, ScalarNode):
+                    path = self._workspace.resolve(self._text, value.text)
+                    file = self._workspace.text_of(path) if path is not None else None
+                    if file is not None and file.is_yaml:
+                        self._items.add_passed(file, present)
         if place.name == BODY:
             items.add_elements("robot")
 
@@ -485,26 +514,6 @@ class Completion:
             self._items.add_function(place)
         for space, place in program.in_namespaces(self._text):
             self._items.add_function(place, space=space)
-
-    def _passed(self, cursor: Cursor, present: object) -> None:
-        """Offer what may be passed to the file that an include names."""
-        for key, value in cursor.mapping.pairs if cursor.mapping is not None else ():
-            if key.text == "path" and isinstance(value, ScalarNode):
-                path = self._workspace.resolve(self._text, value.text)
-                file = self._workspace.text_of(path) if path is not None else None
-                if file is not None and file.is_yaml:
-                    self._items.add_passed(file, present)
-
-    def _attributes(self, name: str, written: str) -> None:
-        """Offer the attributes in a key `name/attribute=value`, or the scopes of a name."""
-        last = written.rpartition(",")[2]
-        if "=" in last:
-            attribute = last.partition("=")[0].strip().removesuffix(":")
-            self._items.add_attribute_values(self._program(), name, attribute)
-        else:
-            self._items.add_attributes(name)
-            if "=" not in written:
-                self._items.add_scopes()
 
     # --- values -----------------------------------------------------------------------------
 
@@ -558,26 +567,6 @@ def _sizes_of_other_shapes(cursor: Cursor) -> set[str]:
     return set()
 
 
-def _closing(line: str) -> str:
-    """Return the brackets that a line leaves open, closed; without them no YAML follows."""
-    pending: list[str] = []
-    at = 0
-    while at < len(line):
-        char = line[at]
-        if line.startswith("$(", at):
-            close = find_close(line, at + 2)
-            at = close if close >= 0 else len(line)
-        elif char in "'\"" and line[at - 1 : at] in ("", " ", "{", "[", ","):
-            close = line.find(char, at + 1)
-            at = close if close >= 0 else at
-        elif char in "{[" and (pending or line[at - 1 : at] in ("", " ")):
-            pending.append("}" if char == "{" else "]")
-        elif pending and char == pending[-1]:
-            pending.pop()
-        at += 1
-    return "".join(reversed(pending))
-
-
 # --- parameters of a call being written -------------------------------------------------------
 
 
@@ -619,9 +608,22 @@ def _call_at(text: Text, offset: int) -> tuple[str, int, str]:
     line = text.text[start:offset]
     key, colon, rest = line.lstrip(" -").partition(":")
     if colon and key[:1].isupper() and key.replace(".", "").isidentifier():
-        pieces = _split(rest)
-        name, sign, _ = pieces[-1].partition("=")
-        return key, len(pieces) - 1, name.strip() if sign else ""
+        pieces: list[str] = []  # the arguments that are written so far
+        depth = at = begin = 0
+        while at < len(rest):
+            if rest.startswith("$(", at):
+                close = find_close(rest, at + 2)
+                at = close if close >= 0 else len(rest)
+            elif rest[at : at + 1] in "[{":
+                depth += 1
+            elif rest[at : at + 1] in "]}":
+                depth -= 1
+            elif rest[at : at + 1] == "," and depth <= 0:
+                pieces.append(rest[begin:at])
+                begin = at + 1
+            at += 1
+        name, sign, _ = rest[begin:].partition("=")
+        return key, len(pieces), name.strip() if sign else ""
     cursor = cursor_at(text.root, offset)
     for depth in range(len(cursor.keys), 0, -1):
         place = place_of(cursor.keys[:depth])
@@ -631,21 +633,3 @@ def _call_at(text: Text, offset: int) -> tuple[str, int, str]:
             given = inner[0].text if inner else scalar.text if scalar is not None else ""
             return place.call, 0, given
     return "", 0, ""
-
-
-def _split(text: str) -> list[str]:
-    """Return the arguments of a short call that is being written."""
-    pieces, depth, at, start = [], 0, 0, 0
-    while at < len(text):
-        if text.startswith("$(", at):
-            close = find_close(text, at + 2)
-            at = close if close >= 0 else len(text)
-        elif text[at : at + 1] in "[{":
-            depth += 1
-        elif text[at : at + 1] in "]}":
-            depth -= 1
-        elif text[at : at + 1] == "," and depth <= 0:
-            pieces.append(text[start:at])
-            start = at + 1
-        at += 1
-    return [*pieces, text[start:]]

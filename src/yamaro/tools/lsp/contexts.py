@@ -68,9 +68,14 @@ def cursor_at(root: YamlNode | None, offset: int) -> Cursor:
             node = next((item for item in node.items if _holds(item, offset)), None)
             continue
         cursor.mapping = node
-        key, value = _pair_at(node, offset)
-        if key is None or value is None:
+        pair = next((pair for pair in node.pairs if _holds(pair[0], offset)), None)
+        for each in node.pairs if pair is None else ():
+            if each[0].start <= offset and _holds(each[1], offset):
+                pair = each
+                break
+        if pair is None:
             return cursor
+        key, value = pair
         if key.start <= offset <= key.end:
             cursor.scalar, cursor.is_key, cursor.value = key, True, value
             return cursor
@@ -83,17 +88,6 @@ def cursor_at(root: YamlNode | None, offset: int) -> Cursor:
 
 def _holds(node: YamlNode, offset: int) -> bool:
     return node.start <= offset <= node.end
-
-
-def _pair_at(node: MappingNode, offset: int) -> tuple[ScalarNode | None, YamlNode | None]:
-    """Return the last pair that begins at or before an offset and reaches it."""
-    for key, value in node.pairs:
-        if key.start <= offset <= key.end:
-            return key, value
-    for key, value in node.pairs:
-        if key.start <= offset <= max(key.end, value.end) and _holds(value, offset):
-            return key, value
-    return None, None
 
 
 def pairs_of_mappings(node: YamlNode | None) -> Sequence[tuple[ScalarNode, YamlNode]]:

@@ -102,7 +102,27 @@ class Renaming:
                 f"'{name}' is not declared in these files: it is predefined or from Python"
             )
         for each in self._places:
-            self._check_place(each)
+            declaration, use = each.declaration, each.use
+            if each.span.written() != name:
+                raise RequestFailed(f"'{name}' is written as '{each.span.written()}' elsewhere")
+            is_assigned = declaration is not None and declaration.kind == ASSIGNED
+            if is_assigned or (use is not None and use.is_assigned):
+                raise RequestFailed(f"'{name}' is assigned in `process` at {each.span.place()}")
+            if declaration is None:
+                continue
+            if declaration.kind == IMPORTED:
+                raise RequestFailed(f"'{name}' comes from Python")
+            node = declaration.node
+            if isinstance(node, VariableEntry) and len(node.values) > 1:
+                raise RequestFailed(f"'{name}' is given several times at {each.span.place()}")
+            path = each.text.path
+            is_of_file = declaration.context.kind == FILE
+            is_passable = is_of_file and declaration.kind in (VARIABLE, ARGUMENT)
+            if is_passable and self._workspace.mains_of(path) == [path]:
+                passed = self._workspace.settings.arguments_of(path)
+                # An argument of the old name would be unknown then.
+                if name in [text.partition(":=")[0] for text in passed]:
+                    raise RequestFailed(f"'{name}' is passed by the settings of the editor")
         computed = [text for text in self._program.texts if text.names.has_computed]
         is_variable = any(
             each.declaration is not None and each.declaration.kind == VARIABLE
@@ -111,27 +131,6 @@ class Renaming:
         if computed and is_variable:
             file = computed[0].path
             raise RequestFailed(f"'{name}' may be meant by a name that is computed in {file}")
-
-    def _check_place(self, each: Place) -> None:
-        name, declaration, use = each.name, each.declaration, each.use
-        if each.span.written() != name:
-            raise RequestFailed(f"'{name}' is written as '{each.span.written()}' elsewhere")
-        is_assigned = declaration is not None and declaration.kind == ASSIGNED
-        if is_assigned or (use is not None and use.is_assigned):
-            raise RequestFailed(f"'{name}' is assigned in `process` at {each.span.place()}")
-        if declaration is None:
-            return
-        if declaration.kind == IMPORTED:
-            raise RequestFailed(f"'{name}' comes from Python")
-        node = declaration.node
-        if isinstance(node, VariableEntry) and len(node.values) > 1:
-            raise RequestFailed(f"'{name}' is given several times at {each.span.place()}")
-        path = each.text.path
-        is_of_file = declaration.context.kind == FILE and declaration.kind in (VARIABLE, ARGUMENT)
-        if is_of_file and self._workspace.mains_of(path) == [path]:
-            passed = self._workspace.settings.arguments_of(path)
-            if name in [text.partition(":=")[0] for text in passed]:  # which would be unknown then
-                raise RequestFailed(f"'{name}' is passed by the settings of the editor")
 
     def _check_new_name(self, new: str) -> None:
         assert self._place is not None
@@ -185,23 +184,6 @@ class Renaming:
         return found.span, found.name
 
     def _part_edits(self, part: Named, new: str) -> list[tuple[Span, str]]:
-        renamed = self._renamed(part, new)
-        start = part.span.start + part.span.written().rfind(self._word)
-        own = Span(part.span.source, start, start + len(self._word))
-        edits = [(own, renamed[self._word])]
-        for text in self._program.texts:
-            for each in text.parts.references:
-                if each.name in renamed:
-                    edits.append((each.span, renamed[each.name]))
-                else:
-                    self._check_reference(each, renamed)
-            for other in text.parts.named:
-                if other is not part and other.name in renamed.values():
-                    raise RequestFailed(f"'{other.name}' is named already, {other.span.place()}")
-        return edits
-
-    def _renamed(self, part: Named, new: str) -> dict[str, str]:
-        """Return the old names and the new ones: of the part, its link and its joint."""
         assert part.name is not None
         is_pair = len(part.name.split()) == 2
         if self.name != self._word:  # a reference such as wheel_link, whose part is `wheel`
@@ -211,28 +193,36 @@ class Renaming:
             new = new[len(before) : len(new) - len(after)]
         if not _PART_NAME.fullmatch(new):
             raise RequestFailed(f"'{new}' is not a name of a part: write one word")
-        renamed = {self._word: new}
+        renamed = {self._word: new}  # the part, its link and its joint
         for name in (part.link, part.joint):
             if name is not None and not is_pair and self._word in name:
                 renamed[name] = name.replace(self._word, new, 1)
-        return renamed
-
-    def _check_reference(self, each: Reference, renamed: dict[str, str]) -> None:
-        """Raise RequestFailed for a reference that may mean the part and cannot be changed."""
-        if each.is_computed:
-            pattern = "".join(_pattern(each.name))
-            if any(re.fullmatch(pattern, old, re.DOTALL) for old in renamed):
-                raise RequestFailed(f"a computed name may mean it, at {each.span.place()}")
-        elif "*" in each.name:
-            for old, new in renamed.items():
-                if fnmatchcase(old, each.name) != fnmatchcase(new, each.name):
-                    raise RequestFailed(f"the pattern at {each.span.place()} would not fit")
-        elif any(each.name.endswith(old) for old in renamed) and any(
+        start = part.span.start + part.span.written().rfind(self._word)
+        own = Span(part.span.source, start, start + len(self._word))
+        edits = [(own, new)]
+        has_prefixes = any(
             include.node.own_prefix is not None
             for text in self._program.texts
             for include in text.names.includes
-        ):
-            raise RequestFailed(f"'{each.name}' may mean it, at {each.span.place()}")
+        )
+        for text in self._program.texts:
+            for each in text.parts.references:
+                if each.name in renamed:
+                    edits.append((each.span, renamed[each.name]))
+                elif each.is_computed:
+                    pattern = "".join(_pattern(each.name))
+                    if any(re.fullmatch(pattern, old, re.DOTALL) for old in renamed):
+                        raise RequestFailed(f"a computed name may mean it, at {each.span.place()}")
+                elif "*" in each.name:
+                    for old, later in renamed.items():
+                        if fnmatchcase(old, each.name) != fnmatchcase(later, each.name):
+                            raise RequestFailed(f"the pattern at {each.span.place()} would not fit")
+                elif has_prefixes and any(each.name.endswith(old) for old in renamed):
+                    raise RequestFailed(f"'{each.name}' may mean it, at {each.span.place()}")
+            for other in text.parts.named:
+                if other is not part and other.name in renamed.values():
+                    raise RequestFailed(f"'{other.name}' is named already, {other.span.place()}")
+        return edits
 
 
 def _pattern(text: str) -> Iterator[str]:

@@ -15,8 +15,6 @@ from .builds import Move
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from .builds import Result
     from .protocol import Json
     from .workspace import Text, Workspace
@@ -157,17 +155,6 @@ def diagnostic_json(workspace: Workspace, diagnostic: Diagnostic, path: str) -> 
     described = help_uri(diagnostic.code)
     if described is not None:
         result["codeDescription"] = {"href": described}
-    related = _related(workspace, diagnostic)
-    if related:
-        result["relatedInformation"] = related
-    tag = _TAGS.get(diagnostic.code)
-    if tag is not None:
-        result["tags"] = [tag]
-    return result
-
-
-def _related(workspace: Workspace, diagnostic: Diagnostic) -> Sequence[Json]:
-    """Return the places that notes name, and the calls and includes that led to the place."""
     related = []
     for note in diagnostic.notes[:20]:
         place = _PLACED.match(note)
@@ -192,4 +179,9 @@ def _related(workspace: Workspace, diagnostic: Diagnostic) -> Sequence[Json]:
             location = workspace.location(frame.span)
             related.append({"location": location, "message": f"{frame.kind}: {frame.name}"})
         frame = frame.parent
-    return related
+    if related:
+        result["relatedInformation"] = related
+    tag = _TAGS.get(diagnostic.code)
+    if tag is not None:
+        result["tags"] = [tag]
+    return result

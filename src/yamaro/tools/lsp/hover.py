@@ -92,15 +92,7 @@ def _of_name(workspace: Workspace, program: Program, place: Place) -> list[str]:
     comment = first.text.comment_on(declared.span)
     if comment:
         lines.append(comment)
-    values = _values(workspace, place, found)
-    if values:
-        lines.append(f"value: {_listed(values)}")
-    return lines
-
-
-def _values(workspace: Workspace, place: Place, found: list[Place]) -> Iterable[str]:
-    """Return the values that a variable had in the last build, where it is read or set."""
-    values: dict[str, None] = {}
+    values: dict[str, None] = {}  # in the last builds, where it is read or set
     for result in workspace.results_of(place.text.path):
         if result.root is None:
             continue
@@ -111,7 +103,9 @@ def _values(workspace: Workspace, place: Place, found: list[Place]) -> Iterable[
             if scalar is not None:
                 at = result.offset_then(place.text, scalar.start)
                 values.update(result.values.read.get((place.text.path, at, place.name), {}))
-    return values
+    if values:
+        lines.append(f"value: {_listed(values)}")
+    return lines
 
 
 def values_set(result: Result, text: Text, declared: Declaration | None) -> Mapping[str, None]:
@@ -186,21 +180,6 @@ def inlay_hints(workspace: Workspace, parameters: Json) -> Json:
     asked = parameters["range"]
     start = offset_at(text.source, asked["start"], workspace.encoding)
     end = offset_at(text.source, asked["end"], workspace.encoding)
-    found = [*_value_hints(workspace, text), *_mass_hints(workspace, text)]
-    return [
-        {"position": workspace.position(text, at), "label": label, "paddingLeft": True}
-        for at, label in found
-        if start <= at <= end
-    ]
-
-
-def _line_end(text: Text, offset: int) -> int:
-    line, _ = text.source.location(offset)
-    return text.source.line_starts()[line - 1] + len(text.source.line_text(line).rstrip())
-
-
-def _value_hints(workspace: Workspace, text: Text) -> list[tuple[int, str]]:
-    """Return the values of variables that are computed, as they were in the last build."""
     found = []
     for declared in text.names.declarations:
         node = declared.node
@@ -213,15 +192,19 @@ def _value_hints(workspace: Workspace, text: Text) -> list[tuple[int, str]]:
             label = ", ".join(values)
             label = label if len(label) <= LONGEST else f"{label[: LONGEST - 1]}…"
             found.append((_line_end(text, node.span.start), f"= {label}"))
-    return found
-
-
-def _mass_hints(workspace: Workspace, text: Text) -> list[tuple[int, str]]:
-    found = []
     for part in text.parts.named:
         masses = dict.fromkeys(
             f"{link.mass:.4g} kg" for _, link in links_of(workspace, text, part) if link.mass
         )
         if masses:
             found.append((_line_end(text, part.span.start), ", ".join(list(masses)[:3])))
-    return found
+    return [
+        {"position": workspace.position(text, at), "label": label, "paddingLeft": True}
+        for at, label in found
+        if start <= at <= end
+    ]
+
+
+def _line_end(text: Text, offset: int) -> int:
+    line, _ = text.source.location(offset)
+    return text.source.line_starts()[line - 1] + len(text.source.line_text(line).rstrip())

@@ -85,22 +85,17 @@ def parts_named(workspace: Workspace, text: Text, part: Named | Reference) -> li
         own = [each for each in other.parts.named if each.answers_to(part.name)]
         exact = [each for each in own if each.name != part.name or each.kind != "part"]
         found += [each.span for each in exact or own]
-    return found or _in_robots(workspace, text, part.name)
-
-
-def _in_robots(workspace: Workspace, text: Text, name: str) -> list[Span]:
-    """Return where a link or joint of the last build was made, for names that are computed."""
-    spans: list[Span] = []
-    for result in workspace.results_of(text.path):
+    if found:
+        return found
+    for result in workspace.results_of(text.path):  # where the last build made it: computed names
         robot = result.robot
         if robot is None:
             continue
-        for known in (name, f"{name}_link"):
-            link, joint = robot.links.get(known), robot.joints.get(known)
-            for each in (link, joint):
-                if each is not None and each.span.source.path and not spans:
-                    spans.append(each.span)
-    return spans
+        for name in (part.name, f"{part.name}_link"):
+            for each in (robot.links.get(name), robot.joints.get(name)):
+                if each is not None and each.span.source.path:
+                    return [each.span]
+    return []
 
 
 # --- references -------------------------------------------------------------------------------

@@ -222,8 +222,23 @@ def folding_ranges(workspace: Workspace, parameters: Json) -> Json:
         }
         kinds = dict.fromkeys(stretches, "region")
     else:
-        kinds = dict.fromkeys(_keys(text), "region")
-        kinds.update(dict.fromkeys(_comments(text), "comment"))
+        found: list[tuple[int, int]] = []
+        for key, value in pairs_below(text.root):
+            end = value.end
+            while end > key.end and text.text[end - 1 : end].isspace():
+                end -= 1
+            found.append((_line(text, key.start), _line(text, max(key.start, end - 1))))
+        kinds = dict.fromkeys(found, "region")
+        found = []  # the stretches of lines that hold nothing but comments
+        start = -1
+        lines = text.text.splitlines()
+        for number, line in enumerate([*lines, ""]):
+            if line.lstrip().startswith("#"):
+                start = number if start < 0 else start
+            elif start >= 0:
+                found.append((start, number - 1))
+                start = -1
+        kinds.update(dict.fromkeys(found, "comment"))
     found = sorted((start, end) for start, end in kinds if end > start)[:MOST]
     return [
         {"startLine": start, "endLine": end}
@@ -234,30 +249,6 @@ def folding_ranges(workspace: Workspace, parameters: Json) -> Json:
 
 def _line(text: Text, offset: int) -> int:
     return text.source.location(offset)[0] - 1
-
-
-def _keys(text: Text) -> list[tuple[int, int]]:
-    found = []
-    for key, value in pairs_below(text.root):
-        end = value.end
-        while end > key.end and text.text[end - 1 : end].isspace():
-            end -= 1
-        found.append((_line(text, key.start), _line(text, max(key.start, end - 1))))
-    return found
-
-
-def _comments(text: Text) -> list[tuple[int, int]]:
-    """Return the stretches of lines that hold nothing but comments."""
-    found = []
-    start = -1
-    lines = text.text.splitlines()
-    for number, line in enumerate([*lines, ""]):
-        if line.lstrip().startswith("#"):
-            start = number if start < 0 else start
-        elif start >= 0:
-            found.append((start, number - 1))
-            start = -1
-    return found
 
 
 # --- semantic tokens --------------------------------------------------------------------------

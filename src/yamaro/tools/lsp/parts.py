@@ -88,7 +88,14 @@ class Parts:
         """Look through the nodes of a file."""
         self.named: list[Named] = []
         self.references: list[Reference] = []
-        self._patterns = _naming(root)
+        joint, link = "*_joint", "*_link"
+        for key, value in pairs_of_mappings(root):
+            if key.text == "naming":
+                for own, pattern in pairs_of_mappings(value):
+                    if isinstance(pattern, ScalarNode) and "*" in pattern.text:
+                        joint = pattern.text if own.text == "joint" else joint
+                        link = pattern.text if own.text == "link" else link
+        self._patterns = joint, link
         self._seen: set[int] = set()
         self._walk(root, [])
 
@@ -115,14 +122,36 @@ class Parts:
 
     def _take(self, key: ScalarNode, word: str, value: YamlNode, path: Sequence[str]) -> None:
         if word == "part":
-            self._take_part(key, value)
-        elif word in _NAMED and "/" in key.text:
-            self._take_named(key, word, value)
+            for own, name in pairs_of_mappings(value):
+                if own.text == "name" and isinstance(name, ScalarNode) and name.text:
+                    named = Named("part", name.text, span_inside(name), key, value)
+                    words = name.text.split() if named.name is not None else []
+                    if len(words) == 2:
+                        named.joint, named.link = words
+                    elif len(words) == 1:
+                        joint, link = self._patterns
+                        named.joint = joint.replace("*", words[0]) if "$" not in joint else None
+                        named.link = link.replace("*", words[0]) if "$" not in link else None
+                    self.named.append(named)
+        elif word in _NAMED and (given := _NAMES.search(key.text)) is not None:
+            named = Named(word, given[1], key.span(given.start(1), given.end(1)), key, value)
+            if word == "joint":
+                named.joint = named.name
+            else:
+                named.link = named.name
+            self.named.append(named)
         if "=" in key.text:
             for found in _ATTRIBUTES.finditer(key.text):
                 self._refer(key, found.start(2), found.end(2))
         above = path[-1] if path else ""
-        if isinstance(value, ScalarNode) and self._is_reference(word, above, path):
+        is_reference = (
+            word == "mimic"
+            or (word == "joint" and above == "mimic")
+            or (word == "parent" and path[:1] == ["groups"])
+            or (word == "joints" and path[:1] == ["control"])
+            or _SCALARS.get(word) == above
+        )
+        if isinstance(value, ScalarNode) and is_reference:
             self._refer(value, 0, len(value.text))
         elif isinstance(value, SequenceNode) and word in _LISTS:
             for item in value.items:
@@ -131,60 +160,11 @@ class Parts:
         if path[:1] == ["states"] and len(path) == 2 and isinstance(value, ScalarNode):
             self._refer(key, 0, len(key.text))
 
-    def _is_reference(self, word: str, above: str, path: Sequence[str]) -> bool:
-        if word == "mimic" or (word == "joint" and above == "mimic"):
-            return True
-        if word == "parent" and "groups" in path[:1]:
-            return True
-        return _SCALARS.get(word) == above or (word in ("joints",) and path[:1] == ["control"])
-
     def _refer(self, node: ScalarNode, start: int, end: int) -> None:
         text = node.text[start:end]
         span = node.span(start, end) if (start, end) != (0, len(node.text)) else span_inside(node)
         if text and not any(each.span.start == span.start for each in self.references[-2:]):
             self.references.append(Reference(text, span))
-
-    def _take_part(self, key: ScalarNode, value: YamlNode) -> None:
-        for own, name in pairs_of_mappings(value):
-            if own.text == "name" and isinstance(name, ScalarNode) and name.text:
-                named = Named("part", name.text, span_inside(name), key, value)
-                self._set_names(named, name.text)
-                self.named.append(named)
-
-    def _set_names(self, named: Named, text: str) -> None:
-        words = text.split()
-        if named.name is None:
-            return
-        if len(words) == 2:
-            named.joint, named.link = words
-        elif len(words) == 1:
-            joint, link = self._patterns
-            named.joint = joint.replace("*", words[0]) if "$" not in joint else None
-            named.link = link.replace("*", words[0]) if "$" not in link else None
-
-    def _take_named(self, key: ScalarNode, word: str, value: YamlNode) -> None:
-        found = _NAMES.search(key.text)
-        if found is None:
-            return
-        span = key.span(found.start(1), found.end(1))
-        named = Named(word, found[1], span, key, value)
-        if word == "joint":
-            named.joint = named.name
-        else:
-            named.link = named.name
-        self.named.append(named)
-
-
-def _naming(root: YamlNode | None) -> tuple[str, str]:
-    """Return the patterns by which joints and links are named."""
-    joint, link = "*_joint", "*_link"
-    for key, value in pairs_of_mappings(root):
-        if key.text == "naming":
-            for own, pattern in pairs_of_mappings(value):
-                if isinstance(pattern, ScalarNode) and "*" in pattern.text:
-                    joint = pattern.text if own.text == "joint" else joint
-                    link = pattern.text if own.text == "link" else link
-    return joint, link
 
 
 # --- in the last builds -----------------------------------------------------------------------

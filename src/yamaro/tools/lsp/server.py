@@ -125,7 +125,13 @@ class Server:
         now = time.monotonic()
         for main in [main for main, due in self._due.items() if due <= now]:
             del self._due[main]
-            self._build(main)
+            if self._builder is None:
+                from .builds import Builder
+
+                self._builder = Builder(
+                    self._workspace.settings, lambda result: self._events.put(("done", result))
+                )
+            self._builder.build(main, self._workspace.texts())
         return edited != {} or self._due != {} or self._has_parent()
 
     def _has_parent(self) -> bool:
@@ -138,15 +144,6 @@ class Server:
         except OSError:
             return True
         return True
-
-    def _build(self, main: str) -> None:
-        if self._builder is None:
-            from .builds import Builder
-
-            self._builder = Builder(
-                self._workspace.settings, lambda result: self._events.put(("done", result))
-            )
-        self._builder.build(main, self._workspace.texts())
 
     def _touch(self, path: str, *, pause: float) -> None:
         """Plan the builds that a change of a file calls for, and give up those that run."""
@@ -226,16 +223,25 @@ class Server:
         if not isinstance(message, dict):
             self._send_error(None, INVALID_REQUEST, "a message is an object")
             return None
-        method, identity = message.get("method"), message.get("id")
+        method = message.get("method")
         if method is None:  # the answer to a request of ours
             return None
         if method == "exit":
             return 0 if self._is_shut_down else 1
         parameters = message.get("params")
         if "id" in message:
-            self._answer(identity, str(method), {} if parameters is None else parameters)
-        elif self._is_initialized and not self._is_shut_down:
-            self._notice(str(method), parameters)
+            self._answer(message["id"], str(method), {} if parameters is None else parameters)
+        elif self._is_initialized and not self._is_shut_down and str(method) in _NOTICES:
+            try:
+                _NOTICES[str(method)](self, parameters)
+            except (KeyError, TypeError, AttributeError, ValueError) as error:
+                self._log(f"{method}: {type(error).__name__}: {error}")
+                if _is_fault(error):
+                    self._report(method, error)
+            except OSError:
+                raise
+            except Exception as error:
+                self._report(method, error)
         return None
 
     def _answer(self, identity: Json, method: str, parameters: Json) -> None:
@@ -267,46 +273,28 @@ class Server:
 
     def _result(self, method: str, parameters: Json) -> Json:
         if method == "initialize":
-            return self._initialize(parameters)
+            from ... import __version__
+            from .protocol import capabilities
+
+            workspace = self._workspace
+            workspace.client = parameters.get("capabilities") or {}
+            offered = (workspace.client.get("general") or {}).get("positionEncodings")
+            workspace.encoding = agreed_encoding(offered)
+            workspace.settings = Settings(parameters.get("initializationOptions"))
+            workspace.folders = folders_of(parameters)
+            parent = parameters.get("processId")
+            self._parent = parent if isinstance(parent, int) else None
+            self._is_initialized = True
+            return {
+                "capabilities": capabilities(workspace.encoding),
+                "serverInfo": {"name": "yamaro", "version": __version__},
+            }
         if method == "shutdown":
             self._is_shut_down = True
             return None
         if method not in FEATURES:
             raise RequestFailed(f"unknown method '{method}'", METHOD_NOT_FOUND)
         return feature(method)(self._workspace, parameters)
-
-    def _initialize(self, parameters: Json) -> Json:
-        from ... import __version__
-        from .protocol import capabilities
-
-        workspace = self._workspace
-        workspace.client = parameters.get("capabilities") or {}
-        offered = (workspace.client.get("general") or {}).get("positionEncodings")
-        workspace.encoding = agreed_encoding(offered)
-        workspace.settings = Settings(parameters.get("initializationOptions"))
-        workspace.folders = folders_of(parameters)
-        parent = parameters.get("processId")
-        self._parent = parent if isinstance(parent, int) else None
-        self._is_initialized = True
-        return {
-            "capabilities": capabilities(workspace.encoding),
-            "serverInfo": {"name": "yamaro", "version": __version__},
-        }
-
-    def _notice(self, method: str, parameters: Json) -> None:
-        notice = _NOTICES.get(method)
-        if notice is None:
-            return
-        try:
-            notice(self, parameters)
-        except (KeyError, TypeError, AttributeError, ValueError) as error:
-            self._log(f"{method}: {type(error).__name__}: {error}")
-            if _is_fault(error):
-                self._report(method, error)
-        except OSError:
-            raise
-        except Exception as error:
-            self._report(method, error)
 
     def _initialized(self, parameters: Json) -> None:
         settings, folders = self._workspace.settings, list(self._workspace.folders)

@@ -360,19 +360,16 @@ class Workspace:
     def resolve(self, text: Text, path: str) -> str | None:
         """Return the absolute path that a path written in a file means; None if nobody knows."""
         if "$" in path or not path:
-            return self._find(text, path)
+            # `$(find package)/path` is the one computed path that can be read unrun.
+            for form in ("$(find ", "$(find-pkg-share "):
+                if path.startswith(form) and ")" in path:
+                    name, _, rest = path[len(form) :].partition(")")
+                    folder = finder_of(self.settings).find(name.strip(), text.folder)
+                    if folder is not None and "$" not in rest:
+                        return os.path.normpath(folder + rest)
+            return None
         resolved = finder_of(self.settings).resolve_uri(path, text.folder)
         return None if resolved is None else os.path.normpath(resolved)
-
-    def _find(self, text: Text, path: str) -> str | None:
-        """Resolve `$(find package)/path`, the one computed path that can be read unrun."""
-        for form in ("$(find ", "$(find-pkg-share "):
-            if path.startswith(form) and ")" in path:
-                name, _, rest = path[len(form) :].partition(")")
-                folder = finder_of(self.settings).find(name.strip(), text.folder)
-                if folder is not None and "$" not in rest:
-                    return os.path.normpath(folder + rest)
-        return None
 
     def includes_of(self, text: Text) -> frozenset[str]:
         """Return the files that a file includes, as far as that can be read unrun."""
