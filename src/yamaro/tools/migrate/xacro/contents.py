@@ -160,6 +160,10 @@ class Contents:
 
         What a macro sets for its caller is the caller's own; what is global goes on.
         """
+
+        def callers_of(name: str) -> list[str]:
+            return [around.name for _, around in self._calls.get(name, ()) if around]
+
         found: dict[str, set[str]] = {}
         for name, macros in self._macros.items():
             assigned = set().union(*(assigned_in(macro.element) for macro in macros))
@@ -168,21 +172,14 @@ class Contents:
             own = set().union(*(assigned_in(macro.element, "global") for macro in macros))
             if own:
                 # add global names to all that may call a macro
-                for caller in reached_from([name], self._callers_of):
+                for caller in reached_from([name], callers_of):
                     found.setdefault(caller, set()).update(own)
         return found
 
-    def _callers_of(self, name: str) -> list[str]:
-        return [around.name for _, around in self._calls.get(name, ()) if around]
-
     def sets_variables(self, node: Element) -> bool:
         """Return whether an element has statements in it that set what is read after them."""
-        return any(map(self._is_setter, node.iter()))
-
-    def _is_setter(self, node: Element) -> bool:
-        return node.name in ("xacro:property", "xacro:call", "xacro:include") or (
-            node.name.startswith("xacro:") and called_by(node) in self._setters
-        )
+        words = ("xacro:property", "xacro:call", "xacro:include")
+        return any(own.name in words or called_by(own) in self._setters for own in node.iter())
 
     def first_setters(self, link: Element) -> tuple[int, set[str]]:
         """Return how many children of a link are calls that set what the rest reads, and the names.

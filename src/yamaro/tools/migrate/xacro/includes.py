@@ -131,7 +131,14 @@ def write_include(writer: FileWriter, node: Element, body: Body) -> None:
     names = [literal(os.path.relpath(writer.output_of(path), folder)) for path in paths]
     if computed is None or _is_pattern(filename):
         for path, name in zip(paths, names, strict=True):
-            body.add("include", _with_names(writer, node, path, name) or name)
+            macro, own = writer.here.macro, set[str]()
+            if macro is not None and is_plain(node):
+                own = writer.callees.passed_to(path, macro)
+            if own:
+                passed = [Entry(each, f"$({each})") for each in sorted(own)]
+                body.add("include", Body([Entry("path", name), *passed], in_braces=True))
+            else:
+                body.add("include", _in_namespace(writer, node, path, name) or name)
         return
     name = _computed_name(writer, node, computed, dict(zip(paths, names, strict=True)))
     path = paths[0] if paths else ""
@@ -277,16 +284,6 @@ def _as_python(writer: FileWriter, name: str) -> str:
     if not folder:
         return repr(name)
     return f"cwd + {name[len(folder) :]!r}" if name.startswith(f"{folder}/") else repr(name)
-
-
-def _with_names(writer: FileWriter, node: Element, path: str, file: str) -> Body | None:
-    """Return what an include says that passes names, or puts them in a namespace, if it does."""
-    macro = writer.here.macro
-    names = writer.callees.passed_to(path, macro) if macro is not None and is_plain(node) else ()
-    if not names:
-        return _in_namespace(writer, node, path, file)
-    passed = [Entry(name, f"$({name})") for name in sorted(names)]
-    return Body([Entry("path", file), *passed], in_braces=True)
 
 
 def _in_namespace(writer: FileWriter, node: Element, path: str, file: str) -> Body | None:

@@ -341,13 +341,19 @@ class _Reader:
         changed = {other: text for other, text in self.changed.items() if other != name}
         source = "0" if bound is None else source_of(python, bound)
         bound = bound or ast.Constant(0)
-        self._check_bound(bound, changed.keys() | {name})
-        # hold that only whole numbers were counted, as far as can be seen
+        # hold that the bound is the same each time, and that only whole numbers were counted, as
+        # far as can be seen
         texts = [self.changed[name]]
+        moving = {name, *changed} | self._defined | self._outside
         for node in ast.walk(bound):
-            require(not (isinstance(node, ast.Constant) and isinstance(node.value, float)))
             if isinstance(node, ast.Name):
+                require(node.id not in moving)
                 texts += [f"${{{node.id}}}", *self._values_of(node.id)]
+            elif isinstance(node, ast.Call):
+                require(isinstance(node.func, ast.Name) and node.func.id in _FUNCTIONS)
+            else:
+                is_float = isinstance(node, ast.Constant) and isinstance(node.value, float)
+                require(isinstance(node, _PLAIN_NODES) and not is_float)
         for called in self._calls():
             texts.append(format_value(called.attributes.get(name, "")))
         for own in self._macro.parameters:
@@ -370,16 +376,6 @@ class _Reader:
         )
         loop.changes = self._ordered(changed)
         return loop
-
-    def _check_bound(self, bound: ast.expr, changed: set[str]) -> None:
-        """Hold that a bound is the same each time."""
-        for node in ast.walk(bound):
-            if isinstance(node, ast.Name):
-                require(node.id not in changed | self._defined | self._outside)
-            elif isinstance(node, ast.Call):
-                require(isinstance(node.func, ast.Name) and node.func.id in _FUNCTIONS)
-            else:
-                require(isinstance(node, _PLAIN_NODES))
 
     def _values_of(self, name: str) -> list[str]:
         """Return the texts that a name may have, if it is an argument, parameter or property."""
@@ -418,7 +414,10 @@ class _Reader:
         rest = self._python(self.changed.get(name, ""))
         is_popped = name not in self.changed
         if is_popped:
-            require(not is_backwards and self._is_always_new(name))
+            # all calls have to give a list that only they have, so that none sees it shrink
+            given = [self._python(format_value(own.attributes.get(name))) for own in self._calls()]
+            require(not is_backwards and bool(given))
+            require(all(text and is_new_list(parsed_python(text)) for text in given))
             firsts = [f"{name}.pop(0)", f"{name}.pop()"]
         else:
             firsts = [f"{name}[0]" if rest == f"{name}[1:]" else f"{name}[-1]"]
@@ -427,7 +426,12 @@ class _Reader:
         if is_popped:
             require(any(_is_surely_read(node, iterator) for node in work))
         first = first or firsts[0]
-        iterator = iterator or self._new_name(name)
+        if not iterator:  # a name that nothing else has
+            taken = self._all_names() | self._program.read | self._defined
+            candidates = (name.removesuffix("s"), "item", f"{name}_item")
+            free = [own for own in candidates if own not in taken and is_identifier(own)]
+            require(bool(free))
+            iterator = free[0]
         others = {other: text for other, text in self.changed.items() if other != name}
         if not is_popped:
             rewrite = Rewriting(first, iterator, self._program)
@@ -465,25 +469,11 @@ class _Reader:
                 return own, value, comment
         return "", "", ""
 
-    def _new_name(self, name: str) -> str:
-        """Return a name for the items of a list that nothing else has."""
-        taken = self._all_names() | self._program.read | self._defined
-        for candidate in (name.removesuffix("s"), "item", f"{name}_item"):
-            if candidate not in taken and is_identifier(candidate):
-                return candidate
-        raise NoLoop
-
     def _all_names(self) -> set[str]:
         """Return the names of all properties, arguments and parameters."""
         program = self._program
         parameters = (own.values() for own in program.definitions.values())
         return {*program.at_top, *program.arguments, *program.properties}.union(*parameters)
-
-    def _is_always_new(self, name: str) -> bool:
-        """Return whether all calls give a list that only they have, so that none sees it shrink."""
-        calls = self._calls()
-        given = [self._python(format_value(own.attributes.get(name, ""))) for own in calls]
-        return bool(given) and all(text and is_new_list(parsed_python(text)) for text in given)
 
 
 _PLAIN_NODES = (

@@ -383,13 +383,11 @@ class XacroPartWriter(PartWriter):
         if {"origin", "mass"} & given.keys():
             raise NoPart  # they are keys of a link
         sections = [child for child in link.elements() if child.name in SECTIONS]
-        if set(SECTIONS) & given.keys() or any(map(self._may_be_placed, sections)):
+        if set(SECTIONS) & given.keys() or any(  # a statement may give an origin
+            self._has_form(section) and "origin" in self._given(section) for section in sections
+        ):
             plan.pose = None
         return plan
-
-    def _may_be_placed(self, section: Element) -> bool:
-        """Return whether a statement in a section may give its origin."""
-        return self._has_form(section) and "origin" in self._given(section)
 
     def _section(self, section: Element, plan: LinkPlan) -> Entry:
         is_shape = section.name in ("visual", "collision")

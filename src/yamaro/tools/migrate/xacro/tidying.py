@@ -70,12 +70,12 @@ def _drop_aliases(files: list[Body], names: set[str]) -> None:
     for sections in files:
         for body in sections.bodies():
             for entry in [entry for entry in body if entry.key == "variables"]:
-                if isinstance(entry.value, Body):
-                    _keep(
-                        entry.value, lambda own: stem_of(own) not in names or stem_of(own) in used
-                    )
-                if isinstance(entry.value, Body) and not entry.value:
-                    body.entries.remove(entry)
+                variables = entry.value
+                if isinstance(variables, Body):
+                    gone = names - used
+                    variables.entries = [own for own in variables if stem_of(own) not in gone]
+                    if not variables:
+                        body.entries.remove(entry)
 
 
 def _drop_parameters(files: list[Body], program: XacroProgram) -> None:
@@ -115,15 +115,11 @@ def _drop_parameters(files: list[Body], program: XacroProgram) -> None:
                     inputs.value = Row(pieces)
                 else:
                     del function.entries[0]
-                for sections in files:
-                    _drop_arguments(sections, name, dropped)
-
-
-def _drop_arguments(sections: Body, function: str, names: set[str]) -> None:
-    for entry in sections.entries_below():
-        if entry.key.rpartition(".")[2] == function and isinstance(entry.value, Body):
-            _keep(entry.value, lambda own: own.key not in names)
-            entry.value = entry.value or None
+                for entry in [own for sections in files for own in sections.entries_below()]:
+                    if entry.key.rpartition(".")[2] == name and isinstance(entry.value, Body):
+                        given = entry.value
+                        given.entries = [own for own in given if own.key not in dropped]
+                        entry.value = given or None
 
 
 def _name_of_input(piece: str) -> str:
@@ -140,9 +136,6 @@ def _functions_in(files: list[Body]) -> dict[str, Body]:
                     if isinstance(function.value, Body):
                         found.setdefault(stem_of(function), []).append(function.value)
     return {name: bodies[0] for name, bodies in found.items() if len(bodies) == 1}
-
-
-# --- scopes ---------------------------------------------------------------------------------------
 
 
 # --- files ----------------------------------------------------------------------------------------
@@ -284,11 +277,6 @@ def stem_of(entry: Entry) -> str:
     return entry.key.partition("/")[0]
 
 
-def _keep(body: Body, is_kept: Callable[[Entry], bool]) -> None:
-    """Leave out entries, with the comments on them."""
-    body.entries[:] = [entry for entry in body.entries if is_kept(entry)]
-
-
 # --- the section `arguments` in place of the variables that arguments became ------------------
 # Nothing else can be passed to a file that has the section, and each value has to be of the
 # argument's type. So it is written only if it takes all that the files of the robot show.
@@ -317,9 +305,9 @@ def declare_arguments(files: Mapping[str, Body], main: str, program: XacroProgra
     entries = [entry for entry in variables if stem_of(entry) in names]
     if [stem_of(entry) for entry in entries] != list(dict.fromkeys(map(stem_of, entries))):
         return False
-    if {stem_of(entry) for entry in entries} != set(names) or program.given.keys() - set(
-        names.values()
-    ):
+    if {stem_of(entry) for entry in entries} != names.keys():
+        return False
+    if program.given.keys() - set(names.values()):
         return False
     if any(entry.key.partition("/")[2] not in ("", "global") for entry in entries):
         return False
@@ -723,7 +711,10 @@ def pass_on(name: str, files: Mapping[str, Body], main: str) -> bool:
                 if "$" in path_of_include(entry):
                     return False
                 included.setdefault(file_meant(entry, path), []).append(entry)
-    own = {id(entry) for entry in _outside_of_functions(files[main])}
+    own = {id(entry) for entry in files[main].entries_below()}
+    for entry in files[main].entries_below():
+        if entry.key == "functions" and isinstance(entry.value, Body):
+            own -= {id(inner) for inner in entry.value.entries_below()}
     if not all(len(included[path]) == 1 and id(included[path][0]) in own for path in readers):
         return False
     for path in readers:
@@ -732,14 +723,3 @@ def pass_on(name: str, files: Mapping[str, Body], main: str) -> bool:
             include.value = Body([Entry("path", include.value)], in_braces=True)
         include.value.add(name, f"$({name})")
     return True
-
-
-def _outside_of_functions(sections: Body) -> list[Entry]:
-    """Return the entries of a file that are in no function."""
-    inside = {
-        id(own)
-        for entry in sections.entries_below()
-        if entry.key == "functions" and isinstance(entry.value, Body)
-        for own in entry.value.entries_below()
-    }
-    return [entry for entry in sections.entries_below() if id(entry) not in inside]
