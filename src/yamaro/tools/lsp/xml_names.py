@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from ...source import Source, Span
+from ...xacro.symbol_table import ARGUMENT, BLOCK, MACRO, PROPERTY, definition_of
 from ...xml.tree import Element
 from .parts import Reference, part_lines
 
@@ -15,8 +16,8 @@ if TYPE_CHECKING:
     from ...xml.tree import Element
     from .workspace import Text, Workspace
 
-_DEFINES = {"xacro:property": "name", "xacro:arg": "name"}
 _PATHS = (("xacro:include", "filename"), ("mesh", "filename"), ("texture", "filename"))
+_NAMED = ("link", "joint", "material")
 _WORD = re.compile(r"[\w.:/-]+")
 _REFERRING = {("parent", "link"), ("child", "link"), ("mimic", "joint"), ("gazebo", "reference")}
 
@@ -80,12 +81,12 @@ def definitions_in_xml(workspace: Workspace, text: Text, offset: int) -> list[Sp
             span
             for each in texts
             for name, span, kind in defined_in(each)
-            if name in names and kind in _DEFINES
+            if name in names and kind in (PROPERTY, BLOCK, ARGUMENT)
         ]
     tag = word.removeprefix("xacro:").rpartition(":")[2].rpartition(".")[2]
     start = max(text.text.rfind("<", 0, offset), text.text.rfind("</", 0, offset))
     is_tag = start >= 0 and not re.search(r"[\s>]", text.text[start:offset])
-    wanted = ("xacro:macro",) if is_tag else ("link", "joint", "material")
+    wanted = (MACRO,) if is_tag else _NAMED
     return [
         span
         for each in texts
@@ -95,12 +96,13 @@ def definitions_in_xml(workspace: Workspace, text: Text, offset: int) -> list[Sp
 
 
 def defined_in(text: Text) -> Iterator[tuple[str, Span, str]]:
-    """Yield what an XML file defines: the name, its place, and the element's name."""
+    """Yield what an XML file defines: the name, its place, and what it is."""
     for element in elements_in(text.xml):
-        name = element.attributes.get("name")
-        is_known = element.name in (*_DEFINES, "xacro:macro", "link", "joint", "material")
-        if name is not None and is_known:
-            yield str(name), element.value_span("name"), element.name
+        own = definition_of(element)
+        if "name" in element.attributes and (own is not None or element.name in _NAMED):
+            name = str(element.attributes["name"]) if own is None else own.name
+            kind = element.name if own is None else own.kind
+            yield name, element.value_span("name"), kind
 
 
 # --- hovers -----------------------------------------------------------------------------------
