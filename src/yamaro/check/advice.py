@@ -70,13 +70,21 @@ def check_advice(
     children = {joint.child for joint in joints.values()}
     sizes: dict[Mesh, float | None] = {}
     heavy = [name for name, link in links.items() if name not in children and link.inertial]
-    heavy = heavy if heavy and _has_fixed_base(robot, tree) else []
+    is_sound = all(joint.child in links for joint in joints.values())
+    if heavy and not (is_sound and base_of(robot)[0] == FIXED):
+        heavy = []
     _advise_on_names([*links.values(), *joints.values()], told)
     _advise_on_endings([*links.values(), *joints.values()], told)
     for name, link in links.items():
         told.outermost = link.element
-        if heavy and name == heavy[0]:
-            _advise_on_root(link, told)
+        if heavy and name == heavy[0] and link.inertial is not None:
+            told.report(
+                "root-inertia",
+                f"the root, {label(link.element)}, has an inertia, which KDL does not support",
+                link.inertial.element,
+                hint="robot_state_publisher warns of it; a root link without inertial, joined to "
+                "this one by a fixed joint, avoids that",
+            )
         _advise_on_mass(link, told)
         advise_on_center(link, told)
         for section in _sections(link):
@@ -170,24 +178,6 @@ def _advise_on_endings(named: list[Link | Joint], context: CheckContext) -> None
 
 
 # --- mass -------------------------------------------------------------------------------------
-
-
-def _has_fixed_base(robot: Robot, tree: Tree) -> bool:
-    """Return whether the root is fixed in the world, as far as the joints are sound."""
-    joints = tree.joints.values()
-    return all(j.child in tree.links for j in joints) and base_of(robot)[0] == FIXED
-
-
-def _advise_on_root(link: Link, context: CheckContext) -> None:
-    if link.inertial is None:
-        return
-    context.report(
-        "root-inertia",
-        f"the root, {label(link.element)}, has an inertia, which KDL does not support",
-        link.inertial.element,
-        hint="robot_state_publisher warns of it; a root link without inertial, joined to this one "
-        "by a fixed joint, avoids that",
-    )
 
 
 def _advise_on_mass(link: Link, context: CheckContext) -> None:

@@ -218,20 +218,13 @@ class CheckContext:
         """Return the calls and includes that led to an element at the place that is looked at."""
         if not element.inherits_trace():
             return element.trace
-        return (self.outermost or self._first_around(element)).trace_within(None)
-
-    def _first_around(self, element: Element) -> Element:
-        """Return the first child of the root that an element is in, or else the root itself."""
-        if self._around is None:
+        if self.outermost is None and self._around is None:
             self._around = {}
             for child in self.root.elements():
-                pending = [child]
-                while pending:
-                    inner = pending.pop()
-                    if id(inner) not in self._around:
-                        self._around[id(inner)] = child
-                        pending += inner.elements()
-        return self._around.get(id(element), self.root)
+                for inner in child.iter(without=self._around):
+                    self._around.setdefault(id(inner), child)
+        outermost = self.outermost or (self._around or {}).get(id(element), self.root)
+        return outermost.trace_within(None)
 
     def _note(
         self,

@@ -283,25 +283,21 @@ def _check_components(
         joint = tree.joints.get(name) if part.name == "joint" else None
         if joint is not None:
             _check_joint(part, joint, own_joints, tree, context)
-        if not is_again:
-            _check_commanded(part, name, commanded, context)
-
-
-def _check_commanded(part: Element, name: str, commanded: set[str], context: CheckContext) -> None:
-    """Report what two blocks command; within a block, names are reported alone."""
-    own: set[str] = set()
-    for interface in children(part, "command_interface"):
-        commands = f"{name}/{named(interface)}"
-        if name and named(interface) and commands in commanded:
-            context.report(
-                "repeated-name",
-                f"two ros2_control blocks command '{commands}'; {REFUSES}",
-                interface,
-                attribute="name",
-                hint="command it in one of them",
-            )
-        own.add(commands)
-    commanded |= own
+        if is_again:
+            continue  # the name alone is reported
+        commands = set()
+        for interface in children(part, "command_interface"):
+            command = f"{name}/{named(interface)}"
+            if name and named(interface) and command in commanded:
+                context.report(
+                    "repeated-name",
+                    f"two ros2_control blocks command '{command}'; {REFUSES}",
+                    interface,
+                    attribute="name",
+                    hint="command it in one of them",
+                )
+            commands.add(command)
+        commanded |= commands
 
 
 def _check_component(

@@ -141,7 +141,18 @@ def _check_entry(
         )
     seen.add(name)
     if name == "material":
-        _check_material(child, where, context)
+        word = content(child) or ""
+        own = word.removeprefix("Gazebo/")
+        if own != word and own not in MATERIALS and "$" not in own:
+            report_word(
+                word,
+                [f"Gazebo/{each}" for each in MATERIALS],
+                f"the material {where}",
+                child,
+                content_span(child),
+                context,
+                result="which does not come with Gazebo",
+            )
     elif name == "sensor":
         pass
     elif isinstance(rule, Value):
@@ -187,23 +198,6 @@ def _check_spelling(
                 fix=respelling(child.span, word, near),
             )
             return
-
-
-def _check_material(material: Element, where: str, context: CheckContext) -> None:
-    """Report a name that looks like one of Gazebo's materials, and is not."""
-    name = content(material) or ""
-    own = name.removeprefix("Gazebo/")
-    if own == name or own in MATERIALS or "$" in own:
-        return
-    report_word(
-        name,
-        [f"Gazebo/{each}" for each in MATERIALS],
-        f"the material {where}",
-        material,
-        content_span(material),
-        context,
-        result="which does not come with Gazebo",
-    )
 
 
 def check_table(element: Element, table: Table, where: str, context: CheckContext) -> None:
