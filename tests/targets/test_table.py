@@ -43,6 +43,12 @@ def test_the_docs_list_the_targets(page: str, row: str) -> None:
     assert re.findall(r"`\"?(\w+)\"?`", found[1]) == list(TARGETS)
 
 
+def test_the_page_of_output_formats_says_what_their_files_are_called() -> None:
+    page = (ROOT / "docs/outputs.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| `(\w+)` \|.*\| `NAME(\S+)`", page, re.MULTILINE)
+    assert dict(rows) == {each.name: each.ending for each in TARGETS.values()}
+
+
 def test_blocks_and_losses_are_of_targets() -> None:
     assert set(RAW_BLOCKS) <= set(TARGETS)
     assert {code.partition("-in-")[2] for code in LOSSES} <= set(TARGETS)
