@@ -103,7 +103,10 @@ def run_confined(
         return to_bytes(outcome)
 
     def read(data: bytes) -> Outcome:
-        outcome = from_bytes(data, policy.limits)
+        from .targets.table import TARGETS
+
+        texts = [each.name for each in TARGETS.values() if not each.is_xml]
+        outcome = from_bytes(data, policy.limits, texts=texts)
         if has_root and outcome.root is None and not outcome.has_errors:
             raise JailAnswerBroken("the answer holds no tree")
         has_some = outcome.pieces or outcome.documents

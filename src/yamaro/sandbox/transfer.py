@@ -23,7 +23,7 @@ from .jail.protocol import JailAnswerBroken, pack, unpack
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Container, Mapping, Sequence
 
     from ..xml.tree import Node
 
@@ -143,8 +143,6 @@ class Outcome:
 
 
 _ELEMENT, _TEXT, _COMMENT = b"e", b"t", b"c"
-_USD = b"usd"
-"""The format whose documents are not XML."""
 _RECORDED = b"r"
 """Begins a place that holds more than the stretch of text; those that do not begin with a digit."""
 LONGEST_CODE = 60
@@ -185,12 +183,13 @@ def to_bytes(outcome: Outcome) -> bytes:
     )
 
 
-def from_bytes(data: bytes, limits: Limits | None = None) -> Outcome:
+def from_bytes(data: bytes, limits: Limits | None = None, *, texts: Container[str] = ()) -> Outcome:
     """Return the outcome that some bytes describe.
 
     Args:
         data: what came out of a jail.
         limits: what a conversion may use, by default what a trusted one may.
+        texts: the output formats whose documents are not XML.
 
     Raises:
         JailAnswerBroken: they do not describe one.
@@ -207,7 +206,7 @@ def from_bytes(data: bytes, limits: Limits | None = None) -> Outcome:
             meshes=[_read_name(each) for each in unpack(meshes)],
             root=unpacker.tree(nodes) if nodes else None,
             notes=[unpacker.tree(each) for each in unpack(notes)],
-            documents=[unpacker.document(each, limits) for each in unpack(documents)],
+            documents=[unpacker.document(each, limits, texts) for each in unpack(documents)],
             noted=[unpacker.reading(each) for each in unpack(noted)],
         )
         if (document or nodes) and not outcome.has_errors:
@@ -532,17 +531,17 @@ class _Unpacker:
             raise ValueError("the edits of a fix overlap")
         return Fix(_read_text(title), edits, is_safe=bool(is_safe))
 
-    def document(self, data: bytes, limits: Limits) -> Document:
-        name, file_name, refusal, packed, root, robot, notes, losses, *rest = unpack(data)
+    def document(self, data: bytes, limits: Limits, texts: Container[str]) -> Document:
+        code, file_name, refusal, packed, root, robot, notes, losses, *rest = unpack(data)
         has_assets, *assets = rest
-        text = packed.decode()
-        if name != _USD and not refusal:
+        name, text = _read_code(code), packed.decode()
+        if name not in texts and not refusal:
             check_document(text, limits)
         elif len(text) > limits.output:
             raise ValueError("a document is longer than it may be")
         names, contents = map(_read_inner, assets[::2]), assets[1::2]
         return Document(
-            _read_code(name),
+            name,
             text,
             root=self.tree(root) if root else None,
             robot=self.tree(robot) if robot else None,

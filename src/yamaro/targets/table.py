@@ -91,6 +91,11 @@ class Target:
         self.conversion = conversion
         self.own_codes = frozenset(own_codes)
 
+    @property
+    def is_xml(self) -> bool:
+        """Whether its document is XML."""
+        return self.comment.startswith("<!--") and not self.is_folder
+
     def may_hold(self, name: str) -> bool:
         """Return whether a file beside a document, or in the folder of this format, can be it."""
         if self.is_folder:
