@@ -280,7 +280,8 @@ def test_documents_in_formats_come_through() -> None:
     (found,) = from_bytes(document(**{"assets/a.stl": b"\0", "scene.xml": b""})).documents
     assert (found.format, found.text) == ("mjcf", FINE)
     assert found.assets == {"assets/a.stl": b"\0", "scene.xml": b""}
-    (found,) = from_bytes(document(name=b"usd", text=b"#usda 1.0", has_assets=b"0")).documents
+    packed = document(name=b"usd", text=b"#usda 1.0", has_assets=b"0")
+    (found,) = from_bytes(packed, texts=("usd",)).documents
     assert (found.text, found.assets, found.root) == ("#usda 1.0", None, None)
 
 

@@ -3,17 +3,28 @@
 from __future__ import annotations
 
 import re
+import sys
 from importlib import import_module
 from pathlib import Path
+from types import ModuleType
+from typing import TYPE_CHECKING
 
 import pytest
 
 from yamaro.codes import LOSSES
+from yamaro.commands.main import main
+from yamaro.sandbox import jail
 from yamaro.syntax.names import RAW_BLOCKS
 from yamaro.targets.holding import FORMATS
-from yamaro.targets.table import TARGETS
+from yamaro.targets.output import MARK, Output
+from yamaro.targets.table import TARGETS, Target
+
+if TYPE_CHECKING:
+    from yamaro.model.robot import Robot
+    from yamaro.targets.output import Wanted
 
 ROOT = Path(__file__).parents[2]
+in_jail = pytest.mark.skipif(jail.check_available() is not None, reason="there is no jail here")
 
 
 @pytest.mark.parametrize("name", TARGETS)
@@ -65,3 +76,59 @@ def test_files_beside_a_document_are_those_of_its_format() -> None:
     assert TARGETS["mjcf"].may_hold("assets/arm-12.stl")
     assert not TARGETS["sdf"].may_hold("scene.xml")
     assert not TARGETS["mjcf"].may_hold("../scene.xml")
+
+
+# --- formats that are not XML, or not one file -------------------------------------------------
+
+
+@pytest.fixture
+def _others(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """Have a format `list` that is a text, and a format `package` that is a folder."""
+
+    def write(robot: Robot, wanted: Wanted) -> Output:
+        text = f"{MARK}: {' '.join(robot.links)}\n"
+        if wanted.format == "list":
+            return Output(None, text=text)
+        return Output(None, files={"package.xml": text.encode(), "config/links": text.encode()})
+
+    list_target = Target("list", "a list", ".txt", comment="", run="urdf")
+    package = Target("package", "a package", "_config", run="urdf", is_folder=True)
+    for target in (list_target, package):
+        monkeypatch.setitem(TARGETS, target.name, target)
+        module = ModuleType(f"yamaro.targets.{target.name}.writer")
+        module.write = write  # type: ignore[attr-defined]
+        monkeypatch.setitem(sys.modules, module.__name__, module)
+    monkeypatch.chdir(tmp_path)
+    Path("arm.yaml").write_text("robot: arm\nmodel:\n- link/name=base:\n", encoding="utf-8")
+
+
+@pytest.mark.usefixtures("_others")
+@pytest.mark.parametrize("trust", [[], pytest.param(["--jail"], marks=in_jail)])
+def test_a_format_can_be_a_text(trust: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([*trust, "arm.yaml", "--to", "list"]) == 0
+    assert capsys.readouterr().out == f"{MARK}: base\n"
+    for _ in range(2):
+        assert main([*trust, "arm.yaml", "--to", "list,urdf", "-o", "out/"]) == 0
+    assert Path("out/arm.txt").read_text() == f"{MARK}: base\n"
+
+
+@pytest.mark.usefixtures("_others")
+@pytest.mark.parametrize("trust", [[], pytest.param(["--jail"], marks=in_jail)])
+def test_a_format_can_be_a_folder(trust: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    for _ in range(2):
+        assert main([*trust, "arm.yaml", "--to", "package", "-o", "out"]) == 0
+    files = {str(path.relative_to("out")) for path in Path("out").rglob("*") if path.is_file()}
+    assert files == {"arm_config/package.xml", "arm_config/config/links"}
+    Path("out/arm_config/package.xml").write_text("mine")
+    assert main([*trust, "arm.yaml", "--to", "package,urdf", "-o", "out"]) == 2
+    assert "does not say that Yamaro has generated it" in capsys.readouterr().err
+    assert Path("out/arm_config/package.xml").read_text() == "mine"
+
+
+@pytest.mark.usefixtures("_others")
+def test_a_format_that_is_a_folder_needs_one(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["arm.yaml", "--to", "package"]) == 2
+    assert "a package needs a folder: -o out/" in capsys.readouterr().err
+    Path("there").touch()
+    assert main(["arm.yaml", "--to", "package", "-o", "there"]) == 2
+    assert "'there' is a file, and a package needs a folder" in capsys.readouterr().err

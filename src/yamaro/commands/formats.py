@@ -88,7 +88,9 @@ def is_folder(arguments: Arguments, formats: list[str]) -> bool:
     is_one = has_slash or needs_one or os.path.isdir(path)
     if is_one and os.path.exists(path) and not os.path.isdir(path):
         name = quote(arguments.options["output"])
-        what = "several output formats need" if len(formats) != 1 else f"{formats[0]} needs"
+        what = "several output formats need"
+        if len(formats) == 1:
+            what = f"{TARGETS[formats[0]].title} needs"
         raise WrongUsage(f"{name} is a file, and {what} a folder: -o out/")
     return is_one
 
