@@ -144,19 +144,15 @@ class Assets:
         return found
 
 
-def _digest(contents: Iterable[bytes]) -> str:
+def named_by_content(stem: str, ending: str, contents: Iterable[bytes]) -> str:
+    """Return a name marked with a digest of contents; that of a copy is not marked twice."""
     from hashlib import sha256
 
     digest = sha256()
     for content in contents:
         digest.update(len(content).to_bytes(8, "little"))
         digest.update(content)
-    return digest.hexdigest()[:_DIGITS]
-
-
-def named_by_content(stem: str, ending: str, contents: Iterable[bytes]) -> str:
-    """Return a name marked with a digest of contents; that of a copy is not marked twice."""
-    mark = f"-{_digest(contents)}"
+    mark = f"-{digest.hexdigest()[:_DIGITS]}"
     return f"{stem.removesuffix(mark)}{mark}{ending}"
 
 

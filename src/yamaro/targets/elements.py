@@ -89,6 +89,8 @@ def settle(nodes: Iterable[Node], span: Span, trace: Step | None) -> None:
 def written_at(owner: Owner, part: Written | None = None) -> tuple[Span, Step | None]:
     """Return where an owner is written, or a part of it, and the calls and includes to there."""
     span, trace = owner.span, owner.trace
+    if isinstance(owner, Element):
+        trace = owner.trace_within(None)
     if part is not None:
         span = part.span
         trace = part.element.trace_within(trace)

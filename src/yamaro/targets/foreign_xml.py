@@ -75,6 +75,14 @@ def _is_plain(element: Element) -> bool:
     return True
 
 
+def is_surface(element: Element, robot: Robot, reference: str | None) -> bool:
+    """Return whether an element in `<gazebo>` is part of the surface of a link that is read."""
+    link = robot.links.get(reference or "")
+    if element.name not in SURFACE_TAGS or link is None or not link.collisions:
+        return False
+    return len(numbers_in(content(element))) == 1
+
+
 class _Walk:
     """Looks at the elements of one robot.
 
@@ -114,20 +122,13 @@ class _Walk:
         reference = attribute_text(gazebo, "reference")
         owner = "the robot" if reference is None else f"'{reference}'"
         for child in gazebo.elements():
-            if child.name in FOR_LUMPING or self._is_surface(child, reference):
+            if child.name in FOR_LUMPING or is_surface(child, self._robot, reference):
                 continue
             if child.name in ("sensor", "plugin") and self._is_sensor(child):
                 self._check_sensor(child, owner, trace)
                 continue
             what = f"Gazebo's <{child.name}> elements"
             self.losses.lose_xml(what, child, label=owner, trace=trace)
-
-    def _is_surface(self, element: Element, reference: str | None) -> bool:
-        """Return whether the model has the surface that an element is part of."""
-        link = self._robot.links.get(reference or "")
-        if element.name not in SURFACE_TAGS or link is None or not link.collisions:
-            return False
-        return len(numbers_in(content(element))) == 1
 
     def _check_sensor(self, element: Element, owner: str, trace: Step | None) -> None:
         """Note what a sensor says that the model of the robot does not have."""
@@ -136,7 +137,9 @@ class _Walk:
                 self.losses.lose_xml("Gazebo's <plugin> elements", child, label=owner, trace=trace)
             elif child.elements():
                 self._check_sensor(child, owner, trace)
-            elif child.name not in IN_SENSORS or (child.name == "mean" and _is_not_zero(child)):
+            elif child.name not in IN_SENSORS or (
+                child.name == "mean" and any(numbers_in(content(child)))
+            ):
                 what, label = "details of Gazebo's sensors", f"<{child.name}> in {owner}"
                 self.losses.lose_xml(what, child, label=label, trace=trace)
 
@@ -164,11 +167,6 @@ class _Walk:
             self._sensors = {each.span.key() for each in self._robot.sensors.values()}
         inner = [child.span.key() for child in element.elements()]  # the cameras of a multicamera
         return not self._sensors.isdisjoint((element.span.key(), *inner))
-
-
-def _is_not_zero(element: Element) -> bool:
-    """Return whether the mean of a noise is one that no format but SDFormat has."""
-    return any(numbers_in(content(element)))
 
 
 # --- the XML that a file holds for one output format, by what it belongs to -------------------

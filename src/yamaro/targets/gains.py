@@ -181,7 +181,8 @@ class Gains:
         """Return the inertia that a joint moves itself, and the greatest effort of its weight."""
         load, pose = self._loads[joint.child], self._poses[joint.child]
         axis = rotate(pose.rotation, joint.axis)
-        armature = self._armature(joint)
+        actuator = self._robot.actuators.get(joint.name) if self._has_armature else None
+        armature = actuator.armature or 0.0 if actuator is not None else 0.0
         mass = self._carried(joint).mass
         if joint.type == PRISMATIC:
             return max(load.mass + armature, LEAST_INERTIA), GRAVITY * mass
@@ -201,10 +202,6 @@ class Gains:
             name = above.parent
             above = robot.parent_joint(name)
         return own if self._is_fixed else self._loads[name]
-
-    def _armature(self, joint: Joint) -> float:
-        actuator = self._robot.actuators.get(joint.name) if self._has_armature else None
-        return actuator.armature or 0.0 if actuator is not None else 0.0
 
     def _read(self) -> None:
         """Work out what is above each link, from the leaves to the roots."""

@@ -50,14 +50,6 @@ class Principal:
         self.is_changed = is_changed
 
 
-def _sum(one: Principal, moments: Vector, turn: Rotation) -> Principal:
-    """Return the mass of a link with moments added, which lie along axes in the same link."""
-    first, second = _matrix(one.moments, one.pose.rotation), _matrix(moments, turn)
-    x, y, z = (_plus(*rows) for rows in zip(first, second, strict=True))
-    found, rotation = principal_axes((x, y, z))
-    return Principal(one.mass, found, Pose(rotation, one.pose.position), is_changed=True)
-
-
 def _matrix(moments: Vector, turn: Rotation) -> Rotation:
     """Return the matrix of moments along the axes that a rotation gives: R·diag(moments)·Rᵀ."""
     x, y, z = ((a * moments[0], b * moments[1], c * moments[2]) for a, b, c in turn)
@@ -94,28 +86,42 @@ class Inertias:
             inertial = link.inertial
             if inertial is not None and (inertial.mass or any(inertial.inertia)):
                 self.by_link[link.name] = self._read(link, inertial, repairs=repairs)
-        if any(not each.mass for each in self.by_link.values()):
-            self._move_to_masses(robot)
-        self._check_moving(robot, is_fixed=is_fixed)
-
-    def _move_to_masses(self, robot: Robot) -> None:
-        """Add the moments of links without mass to the links with mass that they are fixed to.
-
-        A body without mass has the same moments about any point. So the robot moves as before,
-        while simulators take no body of inertia alone: Drake ends the process.
-        """
-        bodies = Bodies(robot)
-        for name in [name for name, each in self.by_link.items() if not each.mass]:
+        massless = [name for name, each in self.by_link.items() if not each.mass]
+        # A body without mass has the same moments about any point. So the robot moves as before if
+        # the body that it is fixed to has them, while simulators take no body of inertia alone:
+        # Drake ends the process.
+        bodies: Bodies | None = None
+        for name in massless:
+            bodies = bodies or Bodies(robot)
             link, own = robot.links[name], self.by_link.pop(name)
-            carrier = bodies.carriers.get(name)
-            what = "inertias of links without mass"
-            if carrier is not None and carrier != name and carrier in self.by_link:
-                how = "moments of the links that they are fixed to"
-                self.losses.approximate(what, link, part=link.inertial, how=how)
-                turn = multiply(bodies.poses[name].rotation, own.pose.rotation)
-                self.by_link[carrier] = _sum(self.by_link[carrier], own.moments, turn)
-            else:
+            carrier, what = bodies.carriers.get(name), "inertias of links without mass"
+            if carrier is None or carrier == name or carrier not in self.by_link:
                 self.losses.lose(what, link, part=link.inertial)
+                continue
+            how = "moments of the links that they are fixed to"
+            self.losses.approximate(what, link, part=link.inertial, how=how)
+            turn = multiply(bodies.poses[name].rotation, own.pose.rotation)
+            body = self.by_link[carrier]
+            matrices = _matrix(body.moments, body.pose.rotation), _matrix(own.moments, turn)
+            x, y, z = (_plus(*rows) for rows in zip(*matrices, strict=True))
+            moments, rotation = principal_axes((x, y, z))
+            pose = Pose(rotation, body.pose.position)
+            self.by_link[carrier] = Principal(body.mass, moments, pose, is_changed=True)
+        # What moves without mass, with all that is fixed to it, is refused.
+        upper: dict[str, str] = {}
+        for link in from_the_roots(robot):
+            joint = robot.parent_joint(link.name)
+            rests = joint is not None and joint.type == FIXED
+            upper[link.name] = upper[joint.parent] if joint is not None and rests else link.name
+        heavy = {
+            upper[name]
+            for name, each in self.by_link.items()
+            if name in upper and each.mass > LEAST and min(each.moments) > LEAST
+        }
+        for name in dict.fromkeys(upper.values()):
+            joint = robot.parent_joint(name)
+            if name not in heavy and (joint is not None or not is_fixed):
+                self._refuse_massless(robot.links[name], joint)
 
     def _read(self, link: Link, inertial: Inertial, *, repairs: bool) -> Principal:
         moments, rotation = principal_axes(inertial.matrix())
@@ -127,53 +133,28 @@ class Inertias:
             return Principal(inertial.mass, moments, pose, is_changed=False)
         is_rounding = change <= ROUNDING * size
         if not is_rounding and not repairs:
-            self._refuse(link, inertial, moments)
-        else:
-            self._change(link, inertial, is_rounding=is_rounding)
-        return Principal(inertial.mass, balanced(moments), pose, is_changed=True)
-
-    def _refuse(self, link: Link, inertial: Inertial, moments: Vector) -> None:
-        shown = ", ".join(f"{moment:.6g}" for moment in sorted(moments))
-        rule = "the greatest is more than the sum of the others"
-        if min(moments) < 0:
-            rule = "one is negative"
-        element = inertial.inner("inertia")
-        self.errors.append(
-            Diagnostic(
-                "inertia-triangle",
-                f"no body has the inertia of the link '{link.name}': its principal moments are "
-                f"{shown}, and {rule}",
-                inertial.span if element is None else element.span,
-                hint=REPAIR_HINT,
-                trace=inertial.trace_in(link),
+            shown = ", ".join(f"{moment:.6g}" for moment in sorted(moments))
+            rule = "the greatest is more than the sum of the others"
+            if min(moments) < 0:
+                rule = "one is negative"
+            element = inertial.inner("inertia")
+            self.errors.append(
+                Diagnostic(
+                    "inertia-triangle",
+                    f"no body has the inertia of the link '{link.name}': its principal moments are "
+                    f"{shown}, and {rule}",
+                    inertial.span if element is None else element.span,
+                    hint=REPAIR_HINT,
+                    trace=inertial.trace_in(link),
+                )
             )
-        )
-
-    def _change(self, link: Link, inertial: Inertial, *, is_rounding: bool) -> None:
-        what = "moments of inertia that no body has"
-        if is_rounding:
-            what = "moments of inertia that no body has because they are rounded"
-        how = "the nearest that a body can have"
-        self.losses.approximate(what, link, part=inertial, how=how)
-
-    # --- links that move and weigh nothing ---
-
-    def _check_moving(self, robot: Robot, *, is_fixed: bool) -> None:
-        """Report what moves without mass, with all that is fixed to it."""
-        upper: dict[str, str] = {}
-        for link in from_the_roots(robot):
-            joint = robot.parent_joint(link.name)
-            rests = joint is not None and joint.type == FIXED
-            upper[link.name] = upper[joint.parent] if joint is not None and rests else link.name
-        heavy = {upper[name] for name in self.by_link if name in upper and self._is_heavy(name)}
-        for name in dict.fromkeys(upper.values()):
-            joint = robot.parent_joint(name)
-            if name not in heavy and (joint is not None or not is_fixed):
-                self._refuse_massless(robot.links[name], joint)
-
-    def _is_heavy(self, name: str) -> bool:
-        found = self.by_link[name]
-        return found.mass > LEAST and min(found.moments) > LEAST
+        else:
+            what = "moments of inertia that no body has"
+            if is_rounding:
+                what = "moments of inertia that no body has because they are rounded"
+            how = "the nearest that a body can have"
+            self.losses.approximate(what, link, part=inertial, how=how)
+        return Principal(inertial.mass, balanced(moments), pose, is_changed=True)
 
     def _refuse_massless(self, link: Link, joint: Joint | None) -> None:
         lacks = "inertia" if link.mass > 0 else "mass"

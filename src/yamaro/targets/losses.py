@@ -183,10 +183,19 @@ def code_of(kind: str, format: str) -> str:
 
 
 def _diagnostic(group: Sequence[Loss], format: str, severity: str) -> Diagnostic:
-    first = group[0]
+    first, title = group[0], TARGETS[format].title
+    how, said = first.how, f"{first.what} are renamed in {title}"
+    if first.kind == LOST:
+        said = f"{first.what} are lost in {title}"
+        said += f"; written instead: {how}" if how else ""
+    elif first.kind == APPROXIMATED:
+        said = f"{first.what} are approximated in {title}"
+        said += f" by {how}" if how else ""
+    others = len(group) - 1
+    count = f" and {others} other{'s' if others > 1 else ''}" if others else ""
     return Diagnostic(
         code_of(first.kind, format),
-        f"{_said(first, TARGETS[format].title)}: {_named(first)}{_count(len(group) - 1)}",
+        f"{said}: {_named(first)}{count}",
         first.span,
         hint=next((loss.hint for loss in group if loss.hint), None),
         notes=[f"also {_named(loss)}, at {loss.span.place()}" for loss in group[1:]],
@@ -195,24 +204,9 @@ def _diagnostic(group: Sequence[Loss], format: str, severity: str) -> Diagnostic
     )
 
 
-def _said(loss: Loss, title: str) -> str:
-    how = loss.how
-    if loss.kind == LOST:
-        return f"{loss.what} are lost in {title}" + (f"; written instead: {how}" if how else "")
-    if loss.kind == APPROXIMATED:
-        return f"{loss.what} are approximated in {title}" + (f" by {how}" if how else "")
-    return f"{loss.what} are renamed in {title}"
-
-
 def _named(loss: Loss) -> str:
     is_renamed = loss.kind == RENAMED and loss.how
     return f"{loss.owner} to '{loss.how}'" if is_renamed else loss.owner
-
-
-def _count(others: int) -> str:
-    if not others:
-        return ""
-    return f" and {others} other{'s' if others > 1 else ''}"
 
 
 # --- out of a jail ----------------------------------------------------------------------------

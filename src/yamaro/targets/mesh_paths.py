@@ -110,22 +110,18 @@ class MeshPaths:
         if self.assets is not None:
             return self.assets.name_of(path) or filename
         if self._mode == PACKAGE:
-            return self._uri(path)
+            found = self.finder.package_around(path)
+            if found is not None:
+                name, folder = found
+                return f"{PACKAGE}{name}/{_below(path, folder)}"
+            from pathlib import Path
+
+            return Path(path).as_uri()
         if self._package:
             inner = _below(path, self._package)
             if inner is not None:
                 return f"{self._mode}/{inner}"
         return self._from_folder(filename, path) if is_relative else filename
-
-    def _uri(self, path: str) -> str:
-        """Return what ROS reads a file by, wherever the document is: in its package, or on disk."""
-        found = self.finder.package_around(path)
-        if found is not None:
-            name, folder = found
-            return f"{PACKAGE}{name}/{_below(path, folder)}"
-        from pathlib import Path
-
-        return Path(path).as_uri()
 
     def _from_folder(self, filename: str, path: str) -> str:
         """Return the path of a file from the folder of the output."""

@@ -81,7 +81,9 @@ def visual_parts(contents: MeshContents, path: str) -> list[Part]:
         MeshFileError, MissingLibraryError: see `MeshContents.surfaces_of`.
     """
     kept = _kept(contents, path)
-    if kept is not None and not _has_materials(kept):
+    if kept is not None and not (
+        kept.ending == ".obj" and any(word in kept.data for word in _MATERIAL_WORDS)
+    ):
         return [kept]
     converted = contents.kept(path, "mjcf visual", lambda: _packed(_visual_parts(contents, path)))
     return _unpacked(converted)
@@ -194,10 +196,6 @@ def _cross(a: Point, b: Point) -> Point:
 
 def _dot(a: Point, b: Point) -> float:
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
-def _has_materials(part: Part) -> bool:
-    return part.ending == ".obj" and any(word in part.data for word in _MATERIAL_WORDS)
 
 
 def _part(surfaces: list[Surface]) -> Part:

@@ -61,14 +61,10 @@ def add_loops(writing: Writing) -> None:
         else:
             _add(writing, loop, "connect", loop.name, (None, None))
             if loop.type == "revolute" and loop.axis is not None:
-                _add(writing, loop, "connect", f"{loop.name}_axis", _axes(writing, loop, loop.axis))
-
-
-def _axes(writing: Writing, loop: Loop, axis: Vector) -> tuple[Vector, Vector]:
-    """Return the axis of a loop's hinge in both of its frames, as the robot stands at home."""
-    poses = home_poses(writing)
-    first, second = (poses[name].rotation for name in loop.between)
-    return axis, rotate(transposed(second), rotate(first, axis))
+                poses = home_poses(writing)
+                first_turn, second_turn = (poses[name].rotation for name in loop.between)
+                axes = loop.axis, rotate(transposed(second_turn), rotate(first_turn, loop.axis))
+                _add(writing, loop, "connect", f"{loop.name}_axis", axes)
 
 
 def _add(
@@ -123,7 +119,11 @@ def add_excludes(writing: Writing) -> None:
     Source: MoveIt's setup assistant calls these pairs adjacent, and default; MuJoCo leaves out only
     adjacent ones of which the upper body can move.
     """
-    rigid = _rigid_groups(writing)
+    rigid: dict[str, str] = {}
+    for link in writing.plan.order:
+        joint = writing.robot.parent_joint(link.name)
+        is_fixed = joint is not None and joint.type == FIXED
+        rigid[link.name] = rigid[joint.parent] if joint is not None and is_fixed else link.name
     settings = writing.robot.collision_settings
     kept = {frozenset(pair) for pair in settings.keep} if settings is not None else set()
     seen: Pairs = set()
@@ -176,16 +176,6 @@ def _overlapping(writing: Writing, rigid: dict[str, str]) -> Iterator[tuple[Link
         if pair not in found and overlap(first.convex, second.convex):
             found.add(pair)
             yield first.link, second.link
-
-
-def _rigid_groups(writing: Writing) -> dict[str, str]:
-    """Return the uppermost link that fixed joints connect each link to."""
-    groups: dict[str, str] = {}
-    for link in writing.plan.order:
-        joint = writing.robot.parent_joint(link.name)
-        is_fixed = joint is not None and joint.type == FIXED
-        groups[link.name] = groups[joint.parent] if joint is not None and is_fixed else link.name
-    return groups
 
 
 def _adjacent(writing: Writing) -> Iterator[tuple[Link, Link]]:

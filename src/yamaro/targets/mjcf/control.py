@@ -19,7 +19,6 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ...model.extras import Actuator, State
     from ...model.joint import Joint
-    from ...model.pose import Pose
     from ...source import Span
     from ...xml.tree import Element
     from ..elements import Attributes
@@ -37,36 +36,28 @@ def add_actuators(writing: Writing) -> None:
         if joint is None or not is_driven or robot.parent_joint(joint.child) is not joint:
             writing.losses.lose("actuators of joints that are not independent", actuator)
             continue
-        _add_actuator(writing, actuator, joint, gains)
-
-
-def _add_actuator(writing: Writing, actuator: Actuator, joint: Joint, gains: Gains) -> None:
-    """Append an actuator.
-
-    Its control is the position, velocity or effort of the motor: with a gear, not of the joint.
-    """
-    writing.losses += lost_of_actuator(actuator)
-    gear = actuator.gear or 1.0
-    command = actuator.command
-    effort = effort_of(joint)
-    force = (-effort / abs(gear), effort / abs(gear)) if effort is not None else None
-    places: dict[str, Span] = {"joint": actuator.span_of("joint")}
-    for key, source in (("kp", "kp"), ("kv", "kd"), ("gear", "gear")):
-        places[key] = actuator.span_of(source)
-    if joint.limit is not None:
-        places["forcerange"] = joint.limit.span_of("effort")
-    control = _control(joint, command, gear, force)
-    attributes: Attributes = {
-        "name": writing.names.fresh(ACTUATOR, joint.name),
-        "joint": joint.name,
-        **_gains(actuator, joint, gains, gear * gear),
-        "gear": gear if gear != 1 else None,
-        "ctrlrange": control,
-        "forcerange": force if command != EFFORT else None,
-    }
-    writing.controls.append((joint.name, command, gear))
-    word = WORDS.get(command, "motor")
-    writing.add("actuator", element(word, attributes, owner=actuator, places=places))
+        writing.losses += lost_of_actuator(actuator)
+        gear = actuator.gear or 1.0
+        command = actuator.command
+        effort = effort_of(joint)
+        force = (-effort / abs(gear), effort / abs(gear)) if effort is not None else None
+        places: dict[str, Span] = {"joint": actuator.span_of("joint")}
+        for key, source in (("kp", "kp"), ("kv", "kd"), ("gear", "gear")):
+            places[key] = actuator.span_of(source)
+        if joint.limit is not None:
+            places["forcerange"] = joint.limit.span_of("effort")
+        control = _control(joint, command, gear, force)
+        attributes: Attributes = {
+            "name": writing.names.fresh(ACTUATOR, joint.name),
+            "joint": joint.name,
+            **_gains(actuator, joint, gains, gear * gear),
+            "gear": gear if gear != 1 else None,
+            "ctrlrange": control,
+            "forcerange": force if command != EFFORT else None,
+        }
+        writing.controls.append((joint.name, command, gear))
+        word = WORDS.get(command, "motor")
+        writing.add("actuator", element(word, attributes, owner=actuator, places=places))
 
 
 def _control(
@@ -139,7 +130,10 @@ def _add_key(
     numbers: list[float] = []
     for joint in order:
         source, part = writing.motions[joint]
-        found = numbers_of(part, positions.get(source, 0.0), _origin(writing, source))
+        origin, known = IDENTITY, writing.robot.joints.get(source)
+        if known is not None and known.parent in writing.plan.static:
+            origin = writing.plan.static[known.parent] @ known.origin
+        found = numbers_of(part, positions.get(source, 0.0), origin)
         if part in ("base", "free"):
             link = source if part == "base" else writing.robot.joints[source].child
             found[2] += heights.get(link, 0.0)
@@ -151,11 +145,3 @@ def _add_key(
     controls += [0.0] * others
     attributes: Attributes = {"name": name, "qpos": numbers, "ctrl": controls or None}
     writing.add("keyframe", element("key", attributes, owner=state or writing.robot.element))
-
-
-def _origin(writing: Writing, source: str) -> Pose:
-    """Return T_world_joint of a joint that is free in the world."""
-    joint = writing.robot.joints.get(source)
-    if joint is None or joint.parent not in writing.plan.static:
-        return IDENTITY
-    return writing.plan.static[joint.parent] @ joint.origin

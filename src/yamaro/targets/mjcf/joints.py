@@ -30,7 +30,14 @@ def add_joints(writing: Writing, joint: Joint, body: Element) -> None:
     if joint.type in TYPES:
         body.children.append(_single(writing, joint))
     elif joint.type == PLANAR:
-        body.children += _planar(writing, joint)
+        turn = rotation_from_z(joint.axis)
+        axes = [rotate(turn, (1.0, 0.0, 0.0)), rotate(turn, (0.0, 1.0, 0.0)), joint.axis]
+        found = []
+        for part, axis in zip(_PLANE, axes, strict=True):
+            kind = None if part == "yaw" else "slide"
+            found.append(_part(writing, joint, part, kind, axis))
+        _rename(writing, joint, found)
+        body.children += found
     elif joint.type == FLOATING:
         body.children += _floating(writing, joint)
 
@@ -99,18 +106,6 @@ def _dynamics(joint: Joint, places: Sources) -> Attributes:
 
 
 # --- joints of several numbers ------------------------------------------------------------------
-
-
-def _planar(writing: Writing, joint: Joint) -> list[Element]:
-    """Return the two slides and the hinge of a planar joint, in the order of its numbers."""
-    turn = rotation_from_z(joint.axis)
-    axes = [rotate(turn, (1.0, 0.0, 0.0)), rotate(turn, (0.0, 1.0, 0.0)), joint.axis]
-    found = []
-    for part, axis in zip(_PLANE, axes, strict=True):
-        kind = None if part == "yaw" else "slide"
-        found.append(_part(writing, joint, part, kind, axis))
-    _rename(writing, joint, found)
-    return found
 
 
 def _floating(writing: Writing, joint: Joint) -> list[Element]:

@@ -34,7 +34,15 @@ def add_bodies(writing: Writing) -> None:
         elif writing.plan.carriers[name] == name:
             _add_body(writing, link)
         else:
-            _add_site(writing, link)
+            joint = writing.robot.parent_joint(link.name)
+            assert joint is not None, "a root is a body"
+            attributes: Attributes = {
+                "name": link.name,
+                "class": writing.classes.frame,
+                **pose_attributes(writing.plan.poses[link.name]),
+            }
+            site = element("site", attributes, owner=link, places=_Places(link, joint))
+            writing.body_of(link.name).children.append(site)
 
 
 def _add_body(writing: Writing, link: Link) -> None:
@@ -62,19 +70,6 @@ def _add_body(writing: Writing, link: Link) -> None:
         add_joints(writing, joint, body)
     above = writing.sections["worldbody"] if parent is None else writing.bodies[parent]
     above.children.append(body)
-
-
-def _add_site(writing: Writing, link: Link) -> None:
-    """Append the site of an empty link on a fixed joint."""
-    joint = writing.robot.parent_joint(link.name)
-    assert joint is not None, "a root is a body"
-    attributes: Attributes = {
-        "name": link.name,
-        "class": writing.classes.frame,
-        **pose_attributes(writing.plan.poses[link.name]),
-    }
-    site = element("site", attributes, owner=link, places=_Places(link, joint))
-    writing.body_of(link.name).children.append(site)
 
 
 class _Places:

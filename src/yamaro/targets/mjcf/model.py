@@ -93,7 +93,8 @@ class Plan:
             self.free[name] = name if self.is_floating_in_world(joint) else self.free[joint.parent]
             if joint.type not in MOVING and joint.parent in self.static:
                 self.static[name] = self.static[joint.parent] @ joint.origin
-        if joint is not None and self._is_site(link, joint):
+        is_fixed = joint is not None and joint.type == FIXED
+        if joint is not None and is_fixed and link.is_empty and joint.name not in self._measured:
             self.carriers[name] = self.carriers[joint.parent]
             self.poses[name] = self.poses[joint.parent] @ joint.origin
             self.sites.append(name)
@@ -101,9 +102,6 @@ class Plan:
         self.carriers[name] = name
         self.poses[name] = IDENTITY
         self.bodies.append(name)
-
-    def _is_site(self, link: Link, joint: Joint) -> bool:
-        return joint.type == FIXED and link.is_empty and joint.name not in self._measured
 
     def is_floating_in_world(self, joint: Joint) -> bool:
         """Return whether a joint lets a link go in the world: MJCF has it nowhere else."""

@@ -118,7 +118,14 @@ def scene(writing: Writing, file: str) -> bytes:
     of the two, and weighs their softness.
     """
     floor = _floor(writing)
-    center, extent = _extent(writing)
+    poses, free = home_poses(writing), writing.plan.free
+    heights = heights_at(writing, poses)
+    points = [(name, pose.position) for name, pose in poses.items()]
+    points += [(each.link.name, each.convex.center) for each in solids_at_home(writing)]
+    middle, size = _around(
+        [(x, y, z + heights.get(free.get(name) or "", 0.0)) for name, (x, y, z) in points]
+    )
+    center, extent = middle, max(size, SMALLEST)
     text = TEXT.format(
         mark=MARK,
         model=escaped_attribute(f"{writing.model} scene"),
@@ -145,18 +152,6 @@ def _floor(writing: Writing) -> float:
             if solid.link.name in held:
                 lowest = min(lowest, solid.convex.farthest(DOWN)[2])
     return round(lowest, DIGITS) + 0.0
-
-
-def _extent(writing: Writing) -> tuple[Vector, float]:
-    """Return the robot's middle and size at home, in metres."""
-    poses, free = home_poses(writing), writing.plan.free
-    heights = heights_at(writing, poses)
-    points = [(name, pose.position) for name, pose in poses.items()]
-    points += [(each.link.name, each.convex.center) for each in solids_at_home(writing)]
-    middle, size = _around(
-        [(x, y, z + heights.get(free.get(name) or "", 0.0)) for name, (x, y, z) in points]
-    )
-    return middle, max(size, SMALLEST)
 
 
 def _around(points: list[Vector]) -> tuple[Vector, float]:

@@ -47,11 +47,25 @@ def add_sensors(writing: Writing) -> None:
 def _in_link(writing: Writing, sensor: Sensor) -> None:
     kind, details = sensor.type, sensor.details
     if kind in CAMERAS and isinstance(details, Camera):
-        _camera(writing, sensor, details)
+        width, height = details.size
+        name = writing.names.fresh(CAMERA, sensor.name)
+        angle = 2 * atan(tan(details.fov / 2) * height / width)
+        attributes: Attributes = {
+            "name": name,
+            **pose_attributes(_pose_of(writing, sensor) @ FORWARD),
+            "resolution": f"{width} {height}",
+            "fovy": degrees(angle),
+        }
+        places = {"fovy": sensor.span_of("fov"), "resolution": sensor.span_of("size")}
+        _place(writing, sensor, element("camera", attributes, owner=sensor, places=places))
+        writing.losses.lose("clip distances of cameras", sensor, field="clip")
     elif isinstance(details, Lidar):
         _lidar(writing, sensor, details)
     elif isinstance(details, Ranger):
-        _ranger(writing, sensor, details)
+        ray = _ray(writing, sensor)
+        attributes = pose_attributes(_pose_of(writing, sensor))
+        _place(writing, sensor, element("frame", attributes, children=[ray], owner=sensor))
+        _rangefinder(writing, sensor, str(ray.attributes["name"]), details.range)
     elif kind == "imu":
         site = _site_of(writing, sensor)
         name = f"{sensor.name}_orientation"
@@ -67,23 +81,19 @@ def _in_link(writing: Writing, sensor: Sensor) -> None:
         site = _site_of(writing, sensor)
         _add(writing, sensor, "framepos", sensor.name, {"objtype": "site", "objname": site})
     elif kind == "contact":
-        _contact(writing, sensor)
+        # The site encloses the whole of the link.
+        how = "the sum of the normal forces"
+        writing.losses.approximate("contact sensors", sensor, how=how)
+        site = _new_site(
+            writing,
+            sensor,
+            f"{sensor.name}_touch",
+            sensor.link or sensor.frame or "",
+            {"type": "sphere", "size": TOUCH_RADIUS, "rgba": "0 0 0 0"},
+        )
+        _add(writing, sensor, "touch", sensor.name, {"site": site})
     else:
         writing.losses.lose(f"{kind} sensors", sensor)
-
-
-def _contact(writing: Writing, sensor: Sensor) -> None:
-    """Append the sum of the forces that touch a link: its site encloses the whole of it."""
-    how = "the sum of the normal forces"
-    writing.losses.approximate("contact sensors", sensor, how=how)
-    site = _new_site(
-        writing,
-        sensor,
-        f"{sensor.name}_touch",
-        sensor.link or sensor.frame or "",
-        {"type": "sphere", "size": TOUCH_RADIUS, "rgba": "0 0 0 0"},
-    )
-    _add(writing, sensor, "touch", sensor.name, {"site": site})
 
 
 def _force_torque(writing: Writing, sensor: Sensor) -> None:
@@ -101,21 +111,6 @@ def _force_torque(writing: Writing, sensor: Sensor) -> None:
     for part in ("force", "torque"):
         name = f"{sensor.name}_{part}"
         _add(writing, sensor, part, name, {"site": site}, sensor.noises.get(part))
-
-
-def _camera(writing: Writing, sensor: Sensor, camera: Camera) -> None:
-    width, height = camera.size
-    name = writing.names.fresh(CAMERA, sensor.name)
-    angle = 2 * atan(tan(camera.fov / 2) * height / width)
-    attributes: Attributes = {
-        "name": name,
-        **pose_attributes(_pose_of(writing, sensor) @ FORWARD),
-        "resolution": f"{width} {height}",
-        "fovy": degrees(angle),
-    }
-    places = {"fovy": sensor.span_of("fov"), "resolution": sensor.span_of("size")}
-    _place(writing, sensor, element("camera", attributes, owner=sensor, places=places))
-    writing.losses.lose("clip distances of cameras", sensor, field="clip")
 
 
 def _lidar(writing: Writing, sensor: Sensor, lidar: Lidar) -> None:
@@ -180,13 +175,6 @@ def _turned(
         attributes: Attributes = {"count": count, "euler": euler(step), "sep": "_"}
         content = element("replicate", attributes, children=[content], owner=sensor)
     return element("frame", {"euler": euler(first)}, children=[content], owner=sensor)
-
-
-def _ranger(writing: Writing, sensor: Sensor, ranger: Ranger) -> None:
-    site = _ray(writing, sensor)
-    attributes = pose_attributes(_pose_of(writing, sensor))
-    _place(writing, sensor, element("frame", attributes, children=[site], owner=sensor))
-    _rangefinder(writing, sensor, str(site.attributes["name"]), ranger.range)
 
 
 def _ray(writing: Writing, sensor: Sensor, ending: str = "") -> Element:

@@ -33,22 +33,19 @@ def add_geoms(writing: Writing, looks: Looks) -> None:
     for link in writing.plan.order:
         body = writing.body_of(link.name)
         for visual in link.visuals:
-            body.children += _visual(writing, link, visual, looks)
+            look = looks.of_visual(link, visual)
+            if isinstance(visual.shape, Mesh):
+                parts = looks.visual_mesh(link, visual, visual.shape, look)
+            else:
+                sizes = _sizes(writing, link, visual)
+                parts = [{**sizes, **look}] if sizes is not None else []
+            name = visual.name or f"{stem_of(link.name)}_visual"
+            body.children += [
+                _geom(writing, link, visual, name, writing.classes.visual, part) for part in parts
+            ]
         for index, collision in enumerate(link.collisions):
             surface = surfaces.get((link.name, index))
             body.children += _collision(writing, link, collision, surface, looks)
-
-
-def _visual(writing: Writing, link: Link, visual: Visual, looks: Looks) -> list[Element]:
-    """Return the geoms of a visual: one for each material of a mesh."""
-    look = looks.of_visual(link, visual)
-    if isinstance(visual.shape, Mesh):
-        parts = looks.visual_mesh(link, visual, visual.shape, look)
-    else:
-        sizes = _sizes(writing, link, visual)
-        parts = [{**sizes, **look}] if sizes is not None else []
-    name = visual.name or f"{stem_of(link.name)}_visual"
-    return [_geom(writing, link, visual, name, writing.classes.visual, part) for part in parts]
 
 
 def _collision(

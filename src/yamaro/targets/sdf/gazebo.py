@@ -8,11 +8,10 @@ Source: the conversion of URDF in SDFormat, parser_urdf.cc, and the specificatio
 
 from __future__ import annotations
 
-from ...model.recognition import SURFACE_TAGS as READ_TAGS  # of links with collisions
-from ...model.values import attribute_text, content, numbers_in
+from ...model.values import attribute_text, content
 from ...xml.tree import Element
 from ..elements import element
-from ..foreign_xml import FOR_LUMPING
+from ..foreign_xml import FOR_LUMPING, is_surface
 from ..losses import Losses
 
 TYPE_CHECKING = False
@@ -108,30 +107,16 @@ class GazeboBlocks:
             if reference is None:
                 taken = self._take_for_model(each)
             elif reference in self._robot.links:
-                taken = self._has_place(each, reference) and self._take_for_link(each, reference)
+                taken = self._take_for_link(each, reference)
             elif reference in self._robot.joints:
                 taken = self._take_for_joint(each, reference)
             else:
                 taken = False
-            if not taken and each.name not in FOR_LUMPING and not self._is_read(each, reference):
+            is_read = is_surface(each, self._robot, reference)
+            if not taken and not is_read and each.name not in FOR_LUMPING:
                 owner = f"'{reference}'" if reference is not None else "the robot"
                 what = f"Gazebo's <{each.name}> elements"
                 self.losses.lose_xml(what, each, label=owner, trace=trace)
-
-    def _is_read(self, each: Element, reference: str | None) -> bool:
-        """Return whether the model of the robot has read an element of a link's surface."""
-        link = self._robot.links.get(reference or "")
-        if each.name not in READ_TAGS or link is None or not link.collisions:
-            return False
-        return len(numbers_in(content(each))) == 1
-
-    def _has_place(self, each: Element, name: str) -> bool:
-        """Return whether a link has the shapes that an element is about."""
-        link = self._robot.links[name]
-        if each.name == "visual":
-            return bool(link.visuals)
-        is_of_collisions = each.name in COLLISION_TAGS or each.name in SURFACE_TAGS
-        return bool(link.collisions) or not (is_of_collisions or each.name == "collision")
 
     def _take_for_model(self, each: Element) -> bool:
         name = MODEL_TAGS.get(each.name)
@@ -144,7 +129,10 @@ class GazeboBlocks:
         return True
 
     def _take_for_link(self, each: Element, link: str) -> bool:
-        kind = each.name
+        kind, owner = each.name, self._robot.links[link]
+        is_of_collisions = kind in COLLISION_TAGS or kind in SURFACE_TAGS or kind == "collision"
+        if (kind == "visual" and not owner.visuals) or (is_of_collisions and not owner.collisions):
+            return False
         if kind == "sensor":
             self.sensors.append((link, each))
         elif kind in ("visual", "collision"):

@@ -244,7 +244,10 @@ class SensorCopier:
     def __init__(self, version: str, losses: Losses) -> None:
         """Start with a version of SDFormat; `losses` takes what it does not know."""
         self._version = version
-        self._words = _table()
+        self._words: dict[str, set[str]] = {}  # in which element which ones are known
+        for row in WORDS.strip().splitlines():
+            parent, _, children = row.partition(":")
+            self._words.setdefault(parent, set()).update(children.split())
         self._used = UsedNames()
         self.losses = losses
         self.has_custom = False
@@ -271,7 +274,17 @@ class SensorCopier:
             if plain != written:
                 what = "sensors with names that SDFormat does not take"
             self.losses.append(Loss(RENAMED, what, owner, sensor.span, trace=trace, how=new))
-        return _placed(made, frame)
+        pose = next((each for each in made.elements() if each.name == "pose"), None)
+        if pose is None:
+            if frame is None:
+                return made
+            at_frame = element("pose", {"relative_to": frame}, owner=made)
+            return made.with_children([at_frame, *made.children])
+        placed = pose.with_children(pose.children)
+        placed.attributes = {k: v for k, v in pose.attributes.items() if k != "frame"}  # of SDF 1.6
+        if frame is not None:
+            placed.attributes = {"relative_to": frame, **placed.attributes}
+        return made.with_children([placed if each is pose else each for each in made.children])
 
     def _type_of(self, sensor: Element, owner: str, trace: Step | None) -> dict[str, str]:
         """Return the type in SDFormat, if it is another one: that of a custom sensor."""
@@ -312,27 +325,3 @@ class SensorCopier:
             return parent == "camera" and self._version != "1.9"
         known = self._words.get(parent)
         return known is None or child in known
-
-
-def _table() -> dict[str, set[str]]:
-    """Return the elements that are known, by the name of the element around."""
-    found: dict[str, set[str]] = {}
-    for row in WORDS.strip().splitlines():
-        parent, _, children = row.partition(":")
-        found.setdefault(parent, set()).update(children.split())
-    return found
-
-
-def _placed(sensor: Element, frame: str | None) -> Element:
-    """Return a sensor with its pose relative to a frame, if one is given."""
-    pose = next((each for each in sensor.elements() if each.name == "pose"), None)
-    if pose is None:
-        if frame is None:
-            return sensor
-        at_frame = element("pose", {"relative_to": frame}, owner=sensor)
-        return sensor.with_children([at_frame, *sensor.children])
-    placed = pose.with_children(pose.children)
-    placed.attributes = {k: v for k, v in pose.attributes.items() if k != "frame"}  # of SDF 1.6
-    if frame is not None:
-        placed.attributes = {"relative_to": frame, **placed.attributes}
-    return sensor.with_children([placed if each is pose else each for each in sensor.children])

@@ -90,22 +90,24 @@ class Shapes:
             label = f"{solid.kind} of link '{link.name}'"
             self.losses.lose(what, link, part=shape, label=label)
             return None
-        name = self._named(kind, link, body, shape)
-        geometry = element("geometry", children=[self._geometry(solid, link)])
-        content = [*pose_of(shape.pose, frame), geometry, *extra]
-        for blob in self._blocks.blobs.get(link.name, ()):
-            if blob.name == kind:
-                content = _with_blob(content, blob)
-        return element(kind, {"name": name}, children=content, owner=link, part=shape)
-
-    def _named(self, kind: str, link: Link, body: str, shape: Collision | Visual) -> str:
-        """Return a name that no other shape of the body has; note it if one is given."""
         wanted = shape.name or f"{link.name}_{kind}"
         name = self._used.fresh(f"{body}/{kind}", wanted)
         if shape.name and name != wanted:
             label = f"'{wanted}' of link '{link.name}'"
             self.losses.rename(f"{kind}s", link, part=shape, label=label, new=name)
-        return name
+        geometry = element("geometry", children=[self._geometry(solid, link)])
+        content = [*pose_of(shape.pose, frame), geometry, *extra]
+        for blob in self._blocks.blobs.get(link.name, ()):
+            if blob.name == kind:
+                inner = blob.elements()
+                names = {each.name for each in inner} - {"plugin"}
+                for index, each in enumerate(inner):
+                    own = next((one for one in content if one.name == each.name == "surface"), None)
+                    if own is not None:
+                        settle([own], each.span, each.trace)
+                        inner[index] = _merged(each, own)
+                content = [*(each for each in content if each.name not in names), *inner]
+        return element(kind, {"name": name}, children=content, owner=link, part=shape)
 
     def _geometry(self, shape: Shape, link: Link) -> Element:
         if isinstance(shape, Box):
@@ -141,18 +143,6 @@ class Shapes:
             metal = element("metal", children=given(("albedo_map", uri)))
             parts.append(element("pbr", children=[metal]))
         return [element("material", children=parts)]
-
-
-def _with_blob(content: list[Element], blob: Element) -> list[Element]:
-    """Return the content of a shape with what Gazebo puts in its place."""
-    inner = blob.elements()
-    names = {each.name for each in inner} - {"plugin"}
-    for index, each in enumerate(inner):
-        own = next((one for one in content if one.name == each.name == "surface"), None)
-        if own is not None:
-            settle([own], each.span, each.trace)
-            inner[index] = _merged(each, own)
-    return [*(each for each in content if each.name not in names), *inner]
 
 
 def _merged(one: Element, other: Element) -> Element:

@@ -108,7 +108,17 @@ class _Model:
         for member in members:
             parts += self._shapes.of(member, name)
         for member in members:
-            parts += self._sensors(member, name)
+            frame = None if member.name == name else self._names.links[member.name]
+            parts += [  # as they are written for Gazebo
+                self._copier.copied(sensor, name, frame, member.trace)
+                for home, sensor in self._blocks.sensors
+                if home == member.name
+            ]
+            for sensor in self._robot.sensors.values():
+                if sensor.link == member.name and sensor.name not in self._copied:
+                    collisions = self._felt(sensor, member, name)
+                    home = sensor.frame if sensor.frame in self._robot.links else sensor.link
+                    parts.append(self._sensor(sensor, name, home, collisions))
             parts += self._raw.in_link(member.name)
         parts += self._blocks.links.get(name, ())
         attributes: Attributes = {"name": self._names.links[name]}
@@ -145,21 +155,6 @@ class _Model:
         return element("frame", attributes, children=pose, owner=link)
 
     # --- sensors ---
-
-    def _sensors(self, link: Link, body: str) -> list[Element]:
-        """Return the sensors in a link; those that are written for Gazebo as they are."""
-        frame = None if link.name == body else self._names.links[link.name]
-        found = [
-            self._copier.copied(sensor, body, frame, link.trace)
-            for home, sensor in self._blocks.sensors
-            if home == link.name
-        ]
-        for sensor in self._robot.sensors.values():
-            if sensor.link == link.name and sensor.name not in self._copied:
-                collisions = self._felt(sensor, link, body)
-                home = sensor.frame if sensor.frame in self._robot.links else sensor.link
-                found.append(self._sensor(sensor, body, home, collisions))
-        return found
 
     def _felt(self, sensor: Sensor, link: Link, body: str) -> list[str]:
         """Return the collisions that a contact sensor feels: its link's, or else its body's."""

@@ -30,7 +30,6 @@ if TYPE_CHECKING:
     from ...model.pose import Pose
     from ...model.robot import Robot
     from ...model.shapes import Mesh
-    from ...source import Span
     from ..output import Wanted
 
     Floats = NDArray[np.float64]
@@ -60,12 +59,25 @@ class Scene:
         self._robot = robot
         self._wanted = wanted
         self.joints = [joint for joint in robot.joints.values() if joint.is_free]
-        self.lower, self.upper = _limits(self.joints)
+        self.lower, self.upper = np.zeros(len(self.joints)), np.zeros(len(self.joints))
+        for column, joint in enumerate(self.joints):
+            low, high = joint.lower, joint.upper
+            if low is None or high is None or max(abs(low), abs(high)) > UNLIMITED:
+                reach = REACH if joint.type == PRISMATIC else pi
+                low, high = -reach, reach
+            self.lower[column], self.upper[column] = min(low, high), max(low, high)
         self._model = pinocchio.Model()
         self._homes: dict[str, tuple[int, Any]] = {}
         self._columns: dict[str, int] = {}
         self._add_joints()
-        self._factors, self._offsets = self._following()
+        # F and o, with which F @ row + o are the positions of all joints of the tree.
+        self._factors = np.zeros((self._model.nq, len(self.joints)))
+        self._offsets = np.zeros(self._model.nq)
+        columns = {joint.name: column for column, joint in enumerate(self.joints)}
+        for name, number in self._columns.items():
+            leader, factor, self._offsets[number] = self._followed(self._robot.joints[name])
+            if leader is not None:
+                self._factors[number, columns[leader]] = factor
         self._senses: dict[LinkPair, Floats] = {}
         self._data = self._model.createData()
         self._meshes: dict[tuple[str, tuple[float, ...]], Any] = {}
@@ -98,17 +110,6 @@ class Scene:
                 else:
                     waiting.append((joint.child, number, at))
 
-    def _following(self) -> tuple[Floats, Floats]:
-        """Return F and o, with which F @ row + o are the positions of all joints of the tree."""
-        factors = np.zeros((self._model.nq, len(self.joints)))
-        offsets = np.zeros(self._model.nq)
-        columns = {joint.name: column for column, joint in enumerate(self.joints)}
-        for name, number in self._columns.items():
-            leader, factor, offsets[number] = self._followed(self._robot.joints[name])
-            if leader is not None:
-                factors[number, columns[leader]] = factor
-        return factors, offsets
-
     def _followed(self, joint: Joint) -> tuple[str | None, float, float]:
         """Return the joint that decides the position of another, a factor and an offset."""
         factor, offset, seen = 1.0, 0.0, {joint.name}
@@ -121,10 +122,6 @@ class Scene:
             seen.add(leader.name)
             joint = leader
         return (joint.name, factor, offset)
-
-    def _full(self, row: Floats) -> Floats:
-        """Return the positions of all joints of the tree, followers too."""
-        return np.asarray(self._factors @ row + self._offsets)
 
     def row_of(self, positions: Mapping[str, float]) -> Floats:
         """Return a row for named positions; joints that are left out rest."""
@@ -194,25 +191,21 @@ class Scene:
             )
         made = self._meshes.get((path, shape.scale))
         if made is None:  # links often share one, and each is asked for twice: for its hull as well
-            made = self._meshes[path, shape.scale] = self._triangles(path, shape, span)
+            try:
+                mesh = read_mesh(path, self._wanted.paths.finder.allows)
+            except (MeshFileError, MissingLibraryError) as error:
+                raise failure("bad-mesh", f"'{shape.filename}': {error}", span) from None
+            made = coal.BVHModelOBBRSS()
+            made.beginModel(len(mesh.triangles), len(mesh.vertices))
+            made.addVertices(np.array(mesh.vertices, dtype=float) * np.array(shape.scale))
+            made.addTriangles(np.array(mesh.triangles))
+            made.endModel()
+            self._meshes[path, shape.scale] = made
         if not is_hull:
             return made
         if made.convex is None:
             made.buildConvexHull(True, "Qt")
         return made.convex
-
-    def _triangles(self, path: str, shape: Mesh, span: Span) -> Any:
-        """Return the triangles in a file, scaled."""
-        try:
-            mesh = read_mesh(path, self._wanted.paths.finder.allows)
-        except (MeshFileError, MissingLibraryError) as error:
-            raise failure("bad-mesh", f"'{shape.filename}': {error}", span) from None
-        made = coal.BVHModelOBBRSS()
-        made.beginModel(len(mesh.triangles), len(mesh.vertices))
-        made.addVertices(np.array(mesh.vertices, dtype=float) * np.array(shape.scale))
-        made.addTriangles(np.array(mesh.triangles))
-        made.endModel()
-        return made
 
     # --- questions ---
 
@@ -261,7 +254,7 @@ class Scene:
             pinocchio.computeDistance(hulls.model, hulls.data, index)
             for index in hulls.numbers[number]
         ]
-        nearest = min(found, key=_min_distance, default=None)
+        nearest = min(found, key=lambda result: float(result.min_distance), default=None)
         if nearest is None or nearest.min_distance <= 0:
             return (np.inf if nearest is None else 0.0), slope
         line = _line_through(nearest.getNearestPoint1(), nearest.getNearestPoint2())
@@ -270,8 +263,9 @@ class Scene:
         return float(nearest.min_distance), grows @ self._factors
 
     def _place(self, shapes: _Shapes, row: Floats) -> None:
+        positions = np.asarray(self._factors @ row + self._offsets)  # followers too
         pinocchio.updateGeometryPlacements(
-            self._model, self._data, shapes.model, shapes.data, self._full(row)
+            self._model, self._data, shapes.model, shapes.data, positions
         )
 
 
@@ -320,22 +314,6 @@ def _line_through(one: Floats, other: Floats) -> Floats:
     length = max(hypot(nx, ny, nz), 1e-12)
     nx, ny, nz = nx / length, ny / length, nz / length
     return np.array([nx, ny, nz, py * nz - pz * ny, pz * nx - px * nz, px * ny - py * nx])
-
-
-def _min_distance(result: Any) -> float:
-    return float(result.min_distance)
-
-
-def _limits(joints: Sequence[Joint]) -> tuple[Floats, Floats]:
-    lower, upper = [], []
-    for joint in joints:
-        low, high = joint.lower, joint.upper
-        if low is None or high is None or max(abs(low), abs(high)) > UNLIMITED:
-            reach = REACH if joint.type == PRISMATIC else pi
-            low, high = -reach, reach
-        lower.append(min(low, high))
-        upper.append(max(low, high))
-    return np.array(lower), np.array(upper)
 
 
 def _se3(pose: Pose) -> Any:

@@ -10,7 +10,7 @@ Source: MoveIt calls them so. The search is ours, since sampling alone misses ra
 
 from __future__ import annotations
 
-from itertools import combinations
+from itertools import combinations, starmap
 
 from ...model.schema import DEFAULT_SAMPLES, DEFAULT_SEED
 from ..table import TARGETS
@@ -46,7 +46,7 @@ def disabled_pairs(robot: Robot, wanted: Wanted) -> list[Pair]:
     settings = robot.collision_settings
     kept = {_sorted(*pair) for pair in settings.keep} if settings is not None else set()
     found = dict.fromkeys(adjacent_pairs(robot, set(solid)), ADJACENT)
-    rest = [pair for pair in map(_both, combinations(solid, 2)) if pair not in found]
+    rest = [pair for pair in starmap(_sorted, combinations(solid, 2)) if pair not in found]
     rest = [pair for pair in rest if pair not in kept]
     if rest:
         try:
@@ -62,10 +62,6 @@ def disabled_pairs(robot: Robot, wanted: Wanted) -> list[Pair]:
 
 def _sorted(first: str, second: str) -> tuple[str, str]:
     return (first, second) if first <= second else (second, first)
-
-
-def _both(pair: tuple[str, str]) -> tuple[str, str]:
-    return _sorted(*pair)
 
 
 def adjacent_pairs(robot: Robot, solid: Iterable[str]) -> set[tuple[str, str]]:

@@ -97,7 +97,8 @@ def _end_effector(robot: Robot, group: Group) -> Element:
 def joints_of(robot: Robot, group: Group, *, seen: frozenset[str] = frozenset()) -> set[str]:
     """Return the names of the joints in a group: of its chains, links, joints and groups."""
     found = set(group.joints)
-    found |= {_above(robot, link) for link in group.links}
+    above = (robot.parent_joint(link) for link in group.links)
+    found |= {joint.name for joint in above if joint is not None}
     for base, tip in group.chains:
         link = tip
         while link != base:
@@ -112,11 +113,6 @@ def joints_of(robot: Robot, group: Group, *, seen: frozenset[str] = frozenset())
         if inner is not None and name not in seen:
             found |= joints_of(robot, inner, seen=seen)
     return found - {""}
-
-
-def _above(robot: Robot, link: str) -> str:
-    joint = robot.parent_joint(link)
-    return "" if joint is None else joint.name
 
 
 def _states(robot: Robot, losses: Losses) -> list[Element]:

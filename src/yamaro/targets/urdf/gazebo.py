@@ -13,7 +13,7 @@ from ..sdf.sensors import details_of, surface_of, times_of, type_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ...model.extras import Sensor, Surface
+    from ...model.extras import Surface
     from ...model.robot import Robot
     from ..elements import Attributes
 
@@ -22,7 +22,19 @@ CONTROL = "ros2_control"
 
 def with_gazebo(root: Element, robot: Robot, reporter: Reporter) -> Element:
     """Return a robot with the elements of its sensors and surfaces, before `<ros2_control>`."""
-    made = [_sensor(robot, sensor) for sensor in robot.sensors.values()]
+    made = []
+    for sensor in robot.sensors.values():
+        attributes: Attributes = {"name": sensor.name, "type": type_of(sensor)}
+        details = details_of(sensor, [f"{sensor.link}_collision"])
+        named = given(("gz_frame_id", sensor.frame))
+        content = [element("sensor", attributes, children=[*times_of(sensor), *named, *details])]
+        joint = robot.joints.get(sensor.joint or "")
+        if joint is not None and joint.type == FIXED:
+            content.insert(0, element("preserveFixedJoint", text="true"))
+        # A contact sensor is of the link's shapes, wherever its frame is.
+        place = sensor.link if sensor.type == "contact" else sensor.frame
+        reference = sensor.joint or place or ""
+        made.append(element("gazebo", {"reference": reference}, children=content, owner=sensor))
     made += _surfaces(robot, reporter)
     if not made:
         return root
@@ -34,21 +46,6 @@ def with_gazebo(root: Element, robot: Robot, reporter: Reporter) -> Element:
             break
         end -= 1
     return root.with_children([*children[:end], *made, *children[end:]])
-
-
-def _sensor(robot: Robot, sensor: Sensor) -> Element:
-    """Return `<gazebo>` with a sensor, in the link or joint that it measures at."""
-    attributes: Attributes = {"name": sensor.name, "type": type_of(sensor)}
-    details = details_of(sensor, [f"{sensor.link}_collision"])
-    named = given(("gz_frame_id", sensor.frame))
-    content = [element("sensor", attributes, children=[*times_of(sensor), *named, *details])]
-    joint = robot.joints.get(sensor.joint or "")
-    if joint is not None and joint.type == FIXED:
-        content.insert(0, element("preserveFixedJoint", text="true"))
-    # A contact sensor is of the link's shapes, wherever its frame is.
-    place = sensor.link if sensor.type == "contact" else sensor.frame
-    reference = sensor.joint or place or ""
-    return element("gazebo", {"reference": reference}, children=content, owner=sensor)
 
 
 def _surfaces(robot: Robot, reporter: Reporter) -> list[Element]:

@@ -21,7 +21,6 @@ from .prims import element_of, quaternion_of
 if TYPE_CHECKING:
     from ...model.extras import Actuator, Loop
     from ...model.joint import Joint
-    from ...model.link import Link
     from ...model.pose import Rotation, Vector
     from ...model.robot import Robot
     from ...source import Span
@@ -84,7 +83,11 @@ class JointWriter:
         self._stage.DefinePrim(self._folder, "Scope")
         for root in robot.roots:
             if self._is_fixed and bodies.carriers[root.name] is not None:
-                self._fix(root)
+                path = self._names.new(self._folder, f"{root.name}_{WORLD}")
+                prim = UsdPhysics.FixedJoint.Define(self._stage, path)
+                carrier = self._bodies.carriers[root.name]
+                self._connect(prim, None, carrier, Pose(), self._bodies.poses[root.name])
+                self.elements.append(element_of(prim.GetPrim(), root))
         for joint in robot.joints.values():
             if robot.parent_joint(joint.child) is joint and joint.child in bodies.carriers:
                 self._lose_parts(joint)
@@ -95,13 +98,6 @@ class JointWriter:
                     self._add(joint)
         for loop in robot.loops.values():
             self._close(loop)
-
-    def _fix(self, root: Link) -> None:
-        path = self._names.new(self._folder, f"{root.name}_{WORLD}")
-        prim = UsdPhysics.FixedJoint.Define(self._stage, path)
-        carrier = self._bodies.carriers[root.name]
-        self._connect(prim, None, carrier, Pose(), self._bodies.poses[root.name])
-        self.elements.append(element_of(prim.GetPrim(), root))
 
     def _add(self, joint: Joint) -> None:
         kind = UsdPhysics.RevoluteJoint if joint.type in SINGLE else UsdPhysics.Joint
@@ -119,10 +115,22 @@ class JointWriter:
         )
         if joint.type in SINGLE:
             prim.CreateAxisAttr("X")
-            self._limit(prim, joint)
+            lower, upper = joint.lower, joint.upper
+            if joint.type == CONTINUOUS or lower is None or upper is None:
+                lower, upper = -inf, inf
+            if lower > upper:
+                what, how = "limits in the wrong order", "swapping them"
+                self.losses.approximate(what, joint, how=how)
+                lower, upper = upper, lower
+            convert = float if joint.type == PRISMATIC else degrees
+            prim.CreateLowerLimitAttr(convert(lower))
+            prim.CreateUpperLimitAttr(convert(upper))
             self._drive(prim, joint)
         elif joint.type == PLANAR:
-            _lock(prim, "transX", "rotY", "rotZ")
+            for freedom in ("transX", "rotY", "rotZ"):
+                limit = UsdPhysics.LimitAPI.Apply(prim.GetPrim(), freedom)
+                limit.CreateLowAttr(1.0)  # no position is above and below at once: it is locked
+                limit.CreateHighAttr(-1.0)
         self.elements.append(element_of(prim.GetPrim(), joint, places=self._places_in(joint)))
 
     def _connect(
@@ -144,18 +152,6 @@ class JointWriter:
         prim.CreateLocalRot1Attr(Gf.Quatf(quaternion_of(at_second)))
 
     # --- limits and drives ---
-
-    def _limit(self, prim: UsdPhysics.RevoluteJoint, joint: Joint) -> None:
-        lower, upper = joint.lower, joint.upper
-        if joint.type == CONTINUOUS or lower is None or upper is None:
-            lower, upper = -inf, inf
-        if lower > upper:
-            what, how = "limits in the wrong order", "swapping them"
-            self.losses.approximate(what, joint, how=how)
-            lower, upper = upper, lower
-        convert = float if joint.type == PRISMATIC else degrees
-        prim.CreateLowerLimitAttr(convert(lower))
-        prim.CreateUpperLimitAttr(convert(upper))
 
     def _drive(self, prim: UsdPhysics.RevoluteJoint, joint: Joint) -> None:
         """Write what drives and what damps a joint: gains of angular drives are per degree."""
@@ -246,11 +242,3 @@ def _x_to(axis: Vector) -> Rotation:
     """Return a rotation that takes x to an axis."""
     quarter = rotation_about((0.0, 1.0, 0.0), -1.5707963267948966)  # x to z
     return multiply(rotation_from_z(axis), quarter)
-
-
-def _lock(prim: UsdPhysics.Joint, *freedoms: str) -> None:
-    """Hold a joint in some of its degrees of freedom: no position is above and below at once."""
-    for freedom in freedoms:
-        limit = UsdPhysics.LimitAPI.Apply(prim.GetPrim(), freedom)
-        limit.CreateLowAttr(1.0)
-        limit.CreateHighAttr(-1.0)

@@ -203,21 +203,18 @@ class ShapeWriter:
             if not path and written is not None:
                 self._stage.DefinePrim(self._folder, "Scope")
                 path = self._names.told(self._folder, "material", name, link, written)
-            material = self._looks[name, color] = self._look(path, color)
+            material = UsdShade.Material.Define(self._stage, path)
+            shader = UsdShade.Shader.Define(self._stage, f"{path}/surface")
+            shader.CreateIdAttr("UsdPreviewSurface")
+            red, green, blue, alpha = color
+            kinds = Sdf.ValueTypeNames
+            shader.CreateInput("diffuseColor", kinds.Color3f).Set(Gf.Vec3f(red, green, blue))
+            shader.CreateInput("opacity", kinds.Float).Set(alpha)
+            shader.CreateInput("roughness", kinds.Float).Set(0.5)
+            output = shader.CreateOutput("surface", kinds.Token)
+            material.CreateSurfaceOutput().ConnectToSource(output)
+            self._looks[name, color] = material
         UsdShade.MaterialBindingAPI.Apply(prim).Bind(material)
-
-    def _look(self, path: str, color: Color) -> UsdShade.Material:
-        material = UsdShade.Material.Define(self._stage, path)
-        shader = UsdShade.Shader.Define(self._stage, f"{path}/surface")
-        shader.CreateIdAttr("UsdPreviewSurface")
-        red, green, blue, alpha = color
-        kinds = Sdf.ValueTypeNames
-        shader.CreateInput("diffuseColor", kinds.Color3f).Set(Gf.Vec3f(red, green, blue))
-        shader.CreateInput("opacity", kinds.Float).Set(alpha)
-        shader.CreateInput("roughness", kinds.Float).Set(0.5)
-        output = shader.CreateOutput("surface", kinds.Token)
-        material.CreateSurfaceOutput().ConnectToSource(output)
-        return material
 
     def _bind_friction(self, prim: Usd.Prim, surface: Friction) -> None:
         key = (surface.friction, surface.restitution)

@@ -69,7 +69,11 @@ class _Model:
         self.elements: list[Element] = []
         self._names = Names(self.losses)
         self._paths: dict[str, str] = {}
-        self.stage = _stage()
+        self.stage = Usd.Stage.CreateInMemory(".usda")
+        UsdGeom.SetStageUpAxis(self.stage, UsdGeom.Tokens.z)
+        UsdGeom.SetStageMetersPerUnit(self.stage, 1.0)
+        UsdPhysics.SetStageKilogramsPerUnit(self.stage, 1.0)
+        self.stage.GetRootLayer().documentation = ""
         name = robot.name or wanted.name
         self.root = self._names.new("", name)
         new = self.root[1:]
@@ -88,11 +92,24 @@ class _Model:
         robot, bodies = self._robot, self._bodies
         for link in bodies.order:
             if bodies.is_body(link.name):
-                self._add_body(link)
+                path = self._names.told(self.root, "link", link.name, link)
+                self._paths[link.name] = path
+                xform = UsdGeom.Xform.Define(self.stage, path)
+                place(xform, self._poses[link.name])
+                prim = xform.GetPrim()
+                UsdPhysics.RigidBodyAPI.Apply(prim)
+                self._set_mass(UsdPhysics.MassAPI.Apply(prim), link)
+                self.elements.append(element_of(prim, link))
+                self._shapes.add(link, path)
         for link in bodies.order:
             carrier = bodies.carriers[link.name]
             if carrier is not None and carrier != link.name:
-                self._add_frame(link, carrier)
+                path = self._names.told(self._paths[carrier], "frame", link.name, link)
+                self._paths[link.name] = path
+                xform = UsdGeom.Xform.Define(self.stage, path)
+                place(xform, self._bodies.poses[link.name])
+                self.elements.append(element_of(xform.GetPrim(), link))
+                self._shapes.add(link, path)
         is_fixed, paths, names = self._wanted.is_fixed, self._paths, self._names
         joints = JointWriter(self.stage, robot, bodies, paths, names, self.root, is_fixed=is_fixed)
         joints.write()
@@ -102,25 +119,6 @@ class _Model:
         self.losses += joints.losses
         self.losses += lost_sections(robot, states=True, controls=True)
         self.losses += foreign_losses(robot)
-
-    def _add_body(self, link: Link) -> None:
-        path = self._names.told(self.root, "link", link.name, link)
-        self._paths[link.name] = path
-        xform = UsdGeom.Xform.Define(self.stage, path)
-        place(xform, self._poses[link.name])
-        prim = xform.GetPrim()
-        UsdPhysics.RigidBodyAPI.Apply(prim)
-        self._set_mass(UsdPhysics.MassAPI.Apply(prim), link)
-        self.elements.append(element_of(prim, link))
-        self._shapes.add(link, path)
-
-    def _add_frame(self, link: Link, carrier: str) -> None:
-        path = self._names.told(self._paths[carrier], "frame", link.name, link)
-        self._paths[link.name] = path
-        xform = UsdGeom.Xform.Define(self.stage, path)
-        place(xform, self._bodies.poses[link.name])
-        self.elements.append(element_of(xform.GetPrim(), link))
-        self._shapes.add(link, path)
 
     # --- mass ---
 
@@ -154,13 +152,3 @@ class _Model:
             self.losses.approximate("moments of inertia of 0", link, how=how)
             moments = (max(first, least), max(second, least), max(third, least))
         return moments, principal.pose
-
-
-def _stage() -> Usd.Stage:
-    """Return a stage in metres and kilograms, z up."""
-    stage = Usd.Stage.CreateInMemory(".usda")
-    UsdGeom.SetStageUpAxis(stage, UsdGeom.Tokens.z)
-    UsdGeom.SetStageMetersPerUnit(stage, 1.0)
-    UsdPhysics.SetStageKilogramsPerUnit(stage, 1.0)
-    stage.GetRootLayer().documentation = ""
-    return stage
