@@ -154,8 +154,26 @@ def checked(
     read = _READERS.get(entry.kind)
     if read is not None:
         value = read(entry, value, spelling, is_si)
-    _check_range(entry, value)
-    _check_choice(entry, value)
+    if entry.low is not None or entry.high is not None:
+        assert isinstance(value, (int, float)), "only numbers have a range"
+        number = _rounded(value)
+        is_below = entry.low is not None and number < _rounded(entry.low)
+        is_above = entry.high is not None and number > _rounded(entry.high)
+        if is_below or is_above:
+            raise InputFault(
+                "argument-range",
+                f"'{entry.name}' takes {_wanted(entry)}, not {_in_words(entry, value)}",
+            )
+    if entry.choices is not None and not any(same_value(value, each) for each in entry.choices):
+        texts = entry.choice_texts()
+        takes = " or ".join([", ".join(texts[:-1]), texts[-1]] if len(texts) > 1 else texts)
+        if len(texts) > MOST_SHOWN:
+            takes = f"one of {', '.join(texts[:MOST_SHOWN])}, …"
+        raise InputFault(
+            "argument-choice",
+            f"'{entry.name}' takes {takes}, not {_in_words(entry, value)}",
+            did_you_mean(value, texts) if isinstance(value, str) else None,
+        )
     return value
 
 
@@ -191,6 +209,14 @@ def same_value(one: object, other: object) -> bool:
     if is_number(one) and is_number(other):
         return _rounded(one) == _rounded(other)
     return type(one) is type(other) and one == other
+
+
+def _rounded(number: object) -> float:
+    """Return a number to 15 digits, as it is written; so 0.1 + 0.2 is 0.3."""
+    if isinstance(number, float):
+        return float(f"{number:.15g}")
+    assert isinstance(number, int)
+    return number
 
 
 def _number_of(entry: ArgumentEntry, value: object) -> tuple[float, Dimension | None]:
@@ -273,48 +299,6 @@ _READERS = {
     MAPPING: _read_mapping,
     PATH: _read_text,
 }
-
-
-# --- ranges and choices -----------------------------------------------------------------------
-
-
-def _check_range(entry: ArgumentEntry, value: object) -> None:
-    if entry.low is None and entry.high is None:
-        return
-    assert isinstance(value, (int, float)), "only numbers have a range"
-    number = _rounded(value)
-    is_below = entry.low is not None and number < _rounded(entry.low)
-    is_above = entry.high is not None and number > _rounded(entry.high)
-    if is_below or is_above:
-        raise InputFault(
-            "argument-range",
-            f"'{entry.name}' takes {_wanted(entry)}, not {_in_words(entry, value)}",
-        )
-
-
-def _check_choice(entry: ArgumentEntry, value: object) -> None:
-    if entry.choices is None or any(same_value(value, choice) for choice in entry.choices):
-        return
-    texts = entry.choice_texts()
-    raise InputFault(
-        "argument-choice",
-        f"'{entry.name}' takes {_one_of(texts)}, not {_in_words(entry, value)}",
-        did_you_mean(value, texts) if isinstance(value, str) else None,
-    )
-
-
-def _one_of(texts: list[str]) -> str:
-    if len(texts) > MOST_SHOWN:
-        return f"one of {', '.join(texts[:MOST_SHOWN])}, …"
-    return f"{', '.join(texts[:-1])} or {texts[-1]}" if len(texts) > 1 else texts[0]
-
-
-def _rounded(number: object) -> float:
-    """Return a number to 15 digits, as it is written; so 0.1 + 0.2 is 0.3."""
-    if isinstance(number, float):
-        return float(f"{number:.15g}")
-    assert isinstance(number, int)
-    return number
 
 
 # --- words ------------------------------------------------------------------------------------

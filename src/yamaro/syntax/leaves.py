@@ -24,7 +24,6 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..yaml.nodes import YamlNode
     from .nodes import Statement
-    from .python import PythonCode
 
 
 def parse_leaf(key: ScalarNode, node: YamlNode, context: ParseContext) -> Statement:
@@ -181,15 +180,15 @@ def _parse_path(node: YamlNode, key: ScalarNode, context: ParseContext) -> str |
 
 def is_computed(path: Template) -> bool:
     """Return whether it depends on variables which file a path means."""
-    return any(not _FOLDERS.issuperset(_names_read(part)) for part in path.parts)
-
-
-def _names_read(part: str | PythonCode) -> list[str]:
-    if isinstance(part, str):
-        return []
-    if part.name is not None:
-        return [part.name]
-    return [name for name in part.code.co_names if name in part.text]  # no guards of safe mode
+    for part in path.parts:
+        if isinstance(part, str):
+            continue
+        names = [part.name]
+        if part.name is None:  # without the guards of safe mode
+            names = [name for name in part.code.co_names if name in part.text]
+        if not _FOLDERS.issuperset(names):
+            return True
+    return False
 
 
 def _parse_namespace(node: YamlNode, context: ParseContext) -> str | Template:

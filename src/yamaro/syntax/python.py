@@ -156,7 +156,14 @@ def _compile(python: PythonCode, text: str, mode: str, message: str) -> None:
     except SyntaxError as error:
         raise _syntax_failure(python, error, message) from None
     except InputFault as fault:
-        span = _span_of_fault(python, text, fault)
+        span = python.span()
+        added = 2 if python.opening else 0
+        is_as_written = len(text) == len(python.opening + python.text) + added
+        if fault.position is not None and is_as_written:
+            line, column, end_line, end_column = fault.position
+            start = python.byte_position(line, column)
+            end = python.byte_position(end_line, end_column)
+            span = python.span(start, end) if start < end else span
         raise failure(fault.code, fault.message, span, hint=fault.hint) from None
     except (ValueError, OverflowError, RecursionError, MemoryError) as error:
         is_deep = isinstance(error, (RecursionError, MemoryError))
@@ -166,17 +173,6 @@ def _compile(python: PythonCode, text: str, mode: str, message: str) -> None:
             python.span(),
             hint="split it into several steps with variables",
         ) from None
-
-
-def _span_of_fault(python: PythonCode, text: str, fault: InputFault) -> Span:
-    """Return the place of a fault in compiled text; all of it if that is not what is written."""
-    added = 2 if python.opening else 0
-    if fault.position is None or len(text) != len(python.opening + python.text) + added:
-        return python.span()
-    line, column, end_line, end_column = fault.position
-    start = python.byte_position(line, column)
-    end = python.byte_position(end_line, end_column)
-    return python.span(start, end) if start < end else python.span()
 
 
 def _syntax_failure(python: PythonCode, error: SyntaxError, message: str) -> Exception:

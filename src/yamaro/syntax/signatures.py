@@ -224,12 +224,12 @@ def parse_short_arguments(node: ScalarNode, context: ParseContext) -> list[Argum
                 node.span(max(start - 1, 0), max(start, 1)),
                 hint="write commas only between arguments; an empty text is ''",
             )
-        equals = _equals_of_name(text, start, end)
-        name = None if equals < 0 else text[start:equals].rstrip().removesuffix(":").rstrip()
-        if name is not None:
-            name = python_name(name)
+        equals = find_outside(text, "=", start, end)
+        word = text[start:equals].rstrip().removesuffix(":").rstrip() if equals >= 0 else ""
+        is_named = is_identifier(word) and not text.startswith("==", equals)
+        name = python_name(word) if is_named else None
         argument = Argument(name, None, node.span(start, end))
-        argument.value = parse_inline(node, equals + 1 if equals >= 0 else start, end, context)
+        argument.value = parse_inline(node, equals + 1 if is_named else start, end, context)
         if name is None and arguments and arguments[-1].name is not None:
             raise failure(
                 "bad-argument",
@@ -239,15 +239,6 @@ def parse_short_arguments(node: ScalarNode, context: ParseContext) -> list[Argum
             )
         arguments.append(argument)
     return arguments
-
-
-def _equals_of_name(text: str, start: int, end: int) -> int:
-    """Return the index of the `=` of `name=value`, or -1 if the argument is positional."""
-    equals = find_outside(text, "=", start, end)
-    if equals < 0 or text.startswith("==", equals):
-        return -1
-    name = text[start:equals].rstrip().removesuffix(":").rstrip()
-    return equals if is_identifier(name) else -1
 
 
 def parse_argument_name(key: ScalarNode, context: ParseContext) -> str:

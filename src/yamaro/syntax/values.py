@@ -162,14 +162,6 @@ def _fix_of_text(node: ScalarNode) -> Fix | None:
     return None
 
 
-def _entries_hint(text: str, known: Sequence[str]) -> str:
-    """Return what a statement takes, and where its statements go."""
-    if "condition" in known and find_outside(text, " ", 0, len(text)) >= 0:
-        return f"write condition: {text}, and the statements under `body:`"
-    names = [f"`{name}`" for name in known if name != "body"]
-    return f"it takes {', '.join(names)}; statements and elements go under `body:`"
-
-
 class Entries:
     """The entries of a statement, each meant once, taken out one by one."""
 
@@ -189,12 +181,17 @@ class Entries:
             if key.text not in known:
                 from ..diagnostics import meant_word
 
-                hint, fix = meant_word(key.text, known, key.span())
+                word = key.text
+                hint, fix = meant_word(word, known, key.span())
+                names = [f"`{name}`" for name in known if name != "body"]
+                rest = f"it takes {', '.join(names)}; statements and elements go under `body:`"
+                if "condition" in known and find_outside(word, " ", 0, len(word)) >= 0:
+                    rest = f"write condition: {word}, and the statements under `body:`"
                 raise failure(
                     "unknown-key",
-                    f"`{what}` has no entry '{key.text}'",
+                    f"`{what}` has no entry '{word}'",
                     key.span(),
-                    hint=hint or _entries_hint(key.text, known),
+                    hint=hint or rest,
                     fix=fix,
                 )
             refuse_twice(self._pairs.get(key.text), key, what)
