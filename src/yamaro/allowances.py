@@ -124,7 +124,9 @@ def report_unused(source: Source, reporter: Reporter, is_looked_for: Callable[[s
     }
     for allowance in allowances_of(source):
         if allowance.word.written() != "allow":
-            _report_word(allowance, reporter)
+            word = allowance.word.written()
+            message = f"'{word}' is not a word that accepts findings"
+            reporter.report(UNUSED, message, allowance.word, hint=Meant.of(word, "allow"))
             continue
         if not allowance.codes:
             _report(allowance, "this comment names no code to accept", reporter)
@@ -135,27 +137,17 @@ def report_unused(source: Source, reporter: Reporter, is_looked_for: Callable[[s
         else:
             for code, span in allowance.codes.items():
                 if code not in ADJUSTABLE:
-                    _report_unknown(allowance, code, span, reporter)
+                    message = f"'{code}' is not a code that can be accepted"
+                    near = suggest(code, ADJUSTABLE)
+                    if near is not None:
+                        reporter.report(UNUSED, message, span, hint=Meant.of(code, near))
+                        continue
+                    hint = "--allow takes the same codes; a reason can follow them in parentheses"
+                    _report(allowance, message, reporter, span=span, hint=hint)
                 elif code != UNUSED and (allowance, code) not in used and is_looked_for(code):
                     where = "in this file" if allowance.has_line else "here"
                     message = f"there is no '{code}' to accept {where}"
                     _report(allowance, message, reporter, span=span)
-
-
-def _report_unknown(allowance: Allowance, code: str, span: Span, reporter: Reporter) -> None:
-    message = f"'{code}' is not a code that can be accepted"
-    near = suggest(code, ADJUSTABLE)
-    if near is not None:
-        reporter.report(UNUSED, message, span, hint=Meant.of(code, near))
-        return
-    hint = "--allow takes the same codes; a reason can follow them in parentheses"
-    _report(allowance, message, reporter, span=span, hint=hint)
-
-
-def _report_word(allowance: Allowance, reporter: Reporter) -> None:
-    word = allowance.word.written()
-    message = f"'{word}' is not a word that accepts findings"
-    reporter.report(UNUSED, message, allowance.word, hint=Meant.of(word, "allow"))
 
 
 def _report(
@@ -241,7 +233,11 @@ def _read(source: Source) -> Iterator[Allowance]:
         while (code := _CODE.match(comment.written(), at)) is not None:
             codes.append(Span(source, start + code.start(1), start + code.end(1)))
             at = code.end()
-        has_line = _has_line(comment)
+        text = source.text
+        _, column = comment.location()
+        before = text[comment.start - column + 1 : comment.start]
+        after = _REST_OF_LINE.match(text, comment.end)
+        has_line = not before.strip(" \t\ufeff") and not (after and after[0].strip())
         lines = (0, 0)
         if not has_line:
             lines = layout.lines_around(comment)
@@ -251,15 +247,6 @@ def _read(source: Source) -> Iterator[Allowance]:
             comment, Span(source, start + remark.start(1), start + remark.end(1)), codes,
             lines if word == "allow" else (0, 0), has_line=has_line,
         )  # fmt: skip
-
-
-def _has_line(comment: Span) -> bool:
-    """Return whether nothing else is in the lines of a comment."""
-    text = comment.source.text
-    _, column = comment.location()
-    before = text[comment.start - column + 1 : comment.start]
-    after = _REST_OF_LINE.match(text, comment.end)
-    return not before.strip(" \t\ufeff") and not (after and after[0].strip())
 
 
 class _YamlLayout:

@@ -1,4 +1,4 @@
-"""Runs a conversion in a jail, and reports how it ended if there is no result."""
+"""Work in a jail, within its limits, and the errors of work that was ended."""
 
 from __future__ import annotations
 
@@ -12,7 +12,6 @@ from .policy import JAIL, NO_JAIL, USUAL_SECONDS, Limits, Policy
 from .runtime.interpreter import Messages
 from .sandbox.deadline import TimeOver, run_within
 from .sandbox.deep_stack import run_on_deep_stack
-from .xml.writer import write_pieces
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -20,10 +19,8 @@ if TYPE_CHECKING:
     from typing import TypeVar
 
     from .files.readable import Reach
-    from .request import Request
-    from .result import Build
     from .sandbox.jail import JailError, JailLimits
-    from .sandbox.transfer import Document, Outcome
+    from .sandbox.transfer import Outcome
 
     T = TypeVar("T")
 
@@ -125,144 +122,6 @@ def run_confined(
         return outcome
 
 
-def outcome_of_build(build: Build, *, has_root: bool) -> Outcome:
-    """Return what leaves the jail of a build; with `has_root` the tree does too."""
-    from .sandbox.transfer import Document, Outcome
-    from .xml.tree import unshared
-
-    return Outcome(
-        diagnostics=[*build.warnings, *build.accepted],
-        pieces=() if build.outputs else build.pieces,
-        files=build.files,
-        meshes=build.meshes,
-        noted=build.noted,
-        root=build.robot_tree() if has_root else None,
-        notes=[unshared(note) for note in build.notes] if has_root else (),
-        documents=[
-            *(_document_of(each, build, has_root=has_root) for each in build.outputs.values()),
-            *(Document(format, "", refusal=reason) for format, reason in build.refused.items()),
-        ],
-    )
-
-
-def _document_of(build: Build, first: Build, *, has_root: bool) -> Document:
-    """Return what leaves the jail of a build in a format; `first` is that of the first format."""
-    from .sandbox.transfer import Document
-    from .targets.losses import packed
-    from .xml.tree import unshared
-
-    has_own = has_root and build.notes is not first.notes
-    return Document(
-        build.format,
-        build.xml(),
-        root=build.root if has_root and build.format != "urdf" else None,
-        losses=packed(build.losses, build.format),
-        assets=None if build.format == "urdf" else build.assets,
-        robot=build.robot_tree() if has_own else None,
-        file_name=build.file_name,
-        notes=[unshared(note) for note in build.notes] if has_own else (),
-    )
-
-
-def build_of_outcome(outcome: Outcome, request: Request, policy: Policy) -> Build:
-    """Return the build that left a jail; meshes are named here, as only here the output is known.
-
-    Raises:
-        YamaroError: the document is longer than the limits allow, or the formats are not those
-            asked for.
-    """
-    from .result import Build
-    from .sandbox.jail import JailError
-
-    formats = request.options.target
-    if formats is not None:
-        try:
-            return _first_output(outcome, formats, request)
-        except JailError as error:
-            raise _failure_of_jail(error, policy, request.source.name) from None
-    root = outcome.root
-    if root is not None and root.name == "robot":  # as it was written
-        outcome.pieces = run_on_deep_stack(
-            lambda: write_pieces(request.paths.applied_to(root), policy.limits)
-        )
-
-    return Build(
-        lambda: outcome.meshes,
-        finder=request.finder,
-        copies=request.copies,
-        finished=outcome.root,
-        pieces=outcome.pieces,
-        warnings=outcome.diagnostics,
-        files=outcome.files,
-        notes=outcome.notes,
-        noted=outcome.noted,
-    )
-
-
-def _first_output(outcome: Outcome, formats: Sequence[str], request: Request) -> Build:
-    """Return the build of the first format that left a jail, with those of all in its `outputs`."""
-    from .sandbox.jail import JailAnswerBroken
-
-    found = {each.format: each for each in outcome.documents}
-    if found.keys() != set(formats) or len(found) < len(outcome.documents):
-        raise JailAnswerBroken("the answer holds other formats than were asked for")
-    builds = {
-        format: _build_of_document(found[format], outcome, request)
-        for format in formats
-        if not found[format].refusal
-    }
-    if not builds:
-        raise JailAnswerBroken("the answer holds no document")
-    first = next(iter(builds.values()))
-    first.outputs = builds
-    first.refused = {each.format: each.refusal for each in outcome.documents if each.refusal}
-    return first
-
-
-def _is_file_name(name: str, format: str) -> bool:
-    from .targets.output import is_file_stem
-    from .targets.table import TARGETS
-
-    ending = TARGETS[format].ending
-    return name.endswith(ending) and is_file_stem(name.removesuffix(ending))
-
-
-def _build_of_document(document: Document, outcome: Outcome, request: Request) -> Build:
-    from .result import Build
-    from .sandbox.jail import JailAnswerBroken
-    from .targets.losses import unpacked
-    from .targets.table import TARGETS
-
-    has_own = document.robot is not None
-    try:
-        losses = unpacked(document.losses)
-    except ValueError as error:
-        raise JailAnswerBroken(f"its answer is malformed: {error}") from None
-    file_name = request.file_name
-    if file_name is None:
-        file_name = document.file_name
-        if not _is_file_name(file_name, document.format):
-            raise JailAnswerBroken("the answer does not name its file")
-    if not all(map(TARGETS[document.format].may_hold, document.assets or ())):
-        raise JailAnswerBroken("the answer holds a file of another name")
-    return Build(
-        lambda: outcome.meshes,
-        finder=request.finder,
-        copies=request.copies,
-        finished=document.robot if has_own else outcome.root,
-        pieces=[document.text],
-        warnings=outcome.diagnostics,
-        files=outcome.files,
-        notes=document.notes if has_own else outcome.notes,
-        noted=outcome.noted,
-        format=document.format,
-        file_name=file_name,
-        document=document.root,
-        losses=losses,
-        assets=document.assets,
-    )
-
-
 def run_in_jail(
     work: Callable[[], bytes],
     read: Callable[[bytes], T],
@@ -301,14 +160,14 @@ def run_in_jail(
     except JailWorkFailed as error:
         if error.is_fault:
             raise FaultInJail(error.kind, error.text, error.place) from None
-        raise _failure_of_jail(error, policy, name) from None
+        raise failure_of_jail(error, policy, name) from None
     except JailError as error:
-        raise _failure_of_jail(error, policy, name) from None
+        raise failure_of_jail(error, policy, name) from None
 
 
 def _data_of_jail(work: Callable[[], bytes], policy: Policy, reach: Reach | None) -> bytes:
     """Return what `work` returns in a jail, where it can read the packages that it wants."""
-    from .sandbox.jail import KEPT_VARIABLES, pack, run_jailed
+    from .sandbox.jail import KEPT_VARIABLES, JailAnswerBroken, pack, run_jailed, unpack
 
     def work_in_jail() -> bytes:
         policy.is_confined = True  # in this process, which is a copy
@@ -325,21 +184,13 @@ def _data_of_jail(work: Callable[[], bytes], policy: Policy, reach: Reach | None
             limits=_jail_limits(policy),
             environment=[*KEPT_VARIABLES, *MODEL_PATHS],
         )
-        wanted, data = _wanted_and_data(answer)
-        if reach is None or not reach.has_new(wanted):
+        try:
+            packed, data = unpack(answer)
+            wanted = [each.decode("ascii") for each in unpack(packed)]
+        except ValueError as error:
+            raise JailAnswerBroken(f"its answer is malformed: {error}") from None
+        if reach is None or not reach.has_new(wanted[:MOST_WANTED]):
             return data
-
-
-def _wanted_and_data(answer: bytes) -> tuple[list[str], bytes]:
-    """Return the packages that a jailed process wants, and what it answers otherwise."""
-    from .sandbox.jail import JailAnswerBroken, unpack
-
-    try:
-        packed, data = unpack(answer)
-        wanted = [each.decode("ascii") for each in unpack(packed)]
-    except ValueError as error:
-        raise JailAnswerBroken(f"its answer is malformed: {error}") from None
-    return wanted[:MOST_WANTED], data
 
 
 class Reader:
@@ -467,7 +318,7 @@ def _jail_limits(policy: Policy) -> JailLimits:
     )
 
 
-def _failure_of_jail(error: JailError, policy: Policy, name: str) -> YamaroError:
+def failure_of_jail(error: JailError, policy: Policy, name: str) -> YamaroError:
     """Return the error for a conversion that was ended in its jail, or has ended there."""
     if error.limit in ("seconds", "cpu_seconds"):
         return time_is_over(name, policy)

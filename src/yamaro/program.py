@@ -192,7 +192,7 @@ class Program(Public):
         Raises:
             YamaroError: the input has errors.
         """
-        from .confined import build_of_outcome, outcome_of_build
+        from .jailed_builds import build_of_outcome, outcome_of_build
 
         has_root = request.options.has_root
 

@@ -202,7 +202,10 @@ class Rebuilder:
         since = time.time_ns()
         start = time.perf_counter()
         try:
-            turn = self._try(variables or {})
+            build = self._current().build(variables=variables or {}, has_root=self.has_root)
+            turn = Turn(build, build.warnings)
+        except YamaroError as error:
+            turn = Turn(None, error.diagnostics)
         except UsageError as error:
             if self._last is None:
                 raise
@@ -255,13 +258,6 @@ class Rebuilder:
         program = self._program or Program(self.path, self.options)
         self._program = program  # another thread may want it forgotten meanwhile
         return program
-
-    def _try(self, variables: Mapping[str, object]) -> Turn:
-        try:
-            build = self._current().build(variables=variables, has_root=self.has_root)
-        except YamaroError as error:
-            return Turn(None, error.diagnostics)
-        return Turn(build, build.warnings)
 
     def has_changed(self) -> bool:
         """Return whether a file has changed since the last build; the next one reads all again."""

@@ -31,7 +31,12 @@ def render(diagnostic: Diagnostic, *, color: bool = False) -> str:
     style = _STYLES[diagnostic.severity]
     head = f"{diagnostic.severity}[{printable(diagnostic.code)}]"
     lines = [f"{paint(head, style)}{paint(': ' + shortened(diagnostic.message), BOLD)}"]
-    return "\n".join(lines + excerpt_lines(diagnostic.span, _remarks(diagnostic), style, paint))
+    remarks = []
+    if diagnostic.hint:
+        remarks.append(("hint: ", diagnostic.hint))
+    remarks.extend(("note: ", note) for note in diagnostic.notes[:MAX_NOTES])
+    remarks.extend(("", line) for line in trace_lines(diagnostic.trace))
+    return "\n".join(lines + excerpt_lines(diagnostic.span, remarks, style, paint))
 
 
 def render_in_line(diagnostic: Diagnostic, *, color: bool = False) -> str:
@@ -72,7 +77,9 @@ def render_all(diagnostics: Sequence[Diagnostic], *, color: bool = False) -> lis
     """
     groups: dict[tuple[str, str, str], list[Diagnostic]] = {}
     for diagnostic in diagnostics:
-        groups.setdefault(_kind_of(diagnostic), []).append(diagnostic)
+        hint = (diagnostic.hint or "").split("'")[::2]
+        kind = (diagnostic.severity, diagnostic.code, "'".join(hint))
+        groups.setdefault(kind, []).append(diagnostic)
     followers: dict[int, list[Diagnostic]] = {}  # behind the last one of a kind that is shown
     hidden: set[int] = set()
     for group in groups.values():
@@ -98,11 +105,6 @@ def render_all(diagnostics: Sequence[Diagnostic], *, color: bool = False) -> lis
     return texts
 
 
-def _kind_of(diagnostic: Diagnostic) -> tuple[str, str, str]:
-    hint = (diagnostic.hint or "").split("'")
-    return diagnostic.severity, diagnostic.code, "'".join(hint[::2])
-
-
 def _places_of(alike: Sequence[Diagnostic]) -> str:
     """Return a line that shows where diagnostics of a kind are."""
     first = alike[0]
@@ -118,16 +120,6 @@ def _places_of(alike: Sequence[Diagnostic]) -> str:
 
 def _plain(text: str, style: str) -> str:
     return text
-
-
-def _remarks(diagnostic: Diagnostic) -> list[tuple[str, str]]:
-    """Return label and text of each line below the excerpt."""
-    remarks = []
-    if diagnostic.hint:
-        remarks.append(("hint: ", diagnostic.hint))
-    remarks.extend(("note: ", note) for note in diagnostic.notes[:MAX_NOTES])
-    remarks.extend(("", line) for line in trace_lines(diagnostic.trace))
-    return remarks
 
 
 def trace_lines(trace: Frame | None) -> list[str]:

@@ -160,7 +160,8 @@ class Streams:
             return
         text = self._logged(text)
         try:
-            self._err.write(_encodable(text, self._err))
+            encoding = self._err.encoding or "utf-8"
+            self._err.write(text.encode(encoding, "backslashreplace").decode(encoding))
             self._err.flush()
         except (OSError, ValueError):
             return
@@ -308,9 +309,3 @@ def _open_closed_descriptors() -> None:
         except OSError:
             if os.open(os.devnull, os.O_RDWR) != descriptor:
                 return
-
-
-def _encodable(text: str, stream: TextIO) -> str:
-    """Return text in which what the stream's encoding lacks is escaped."""
-    encoding = stream.encoding or "utf-8"
-    return text.encode(encoding, "backslashreplace").decode(encoding)

@@ -27,6 +27,7 @@ OF_OTHER_BUILDS = {
     "yamaro.check.outermost",
     "yamaro.commands.option_table",
     "yamaro.confined",
+    "yamaro.jailed_builds",
     "yamaro.model.compare",
     "yamaro.model.extras",
     "yamaro.rendering",

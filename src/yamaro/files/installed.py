@@ -77,7 +77,16 @@ class InstalledPackages:
         found = self.all().get(name)
         if found is not None and found.folder is not None:
             return found.folder
-        return self._cached_folder(name)
+        # In the cache of robot_descriptions a clone is called after its package; one of another
+        # commit is in `name-COMMIT/`. Other packages are in clones, and have a package.xml.
+        folder = os.path.join(self._cache, name)
+        if os.path.isdir(folder):
+            return folder
+        for other in _subfolders(self._cache):
+            folder = os.path.join(self._cache, other, name)
+            if other.startswith(f"{name}-") and os.path.isdir(folder):
+                return folder
+        return self._cached_packages().get(name)
 
     def all(self) -> dict[str, InstalledPackage]:
         """Return all packages that entry points name, also those whose folder is not found."""
@@ -127,21 +136,6 @@ class InstalledPackages:
                 if is_package_name(name) and name not in self._packages:
                     folder = _folder_of(value, path, info)
                     self._packages[name] = InstalledPackage(name, value, folder, info)
-
-    def _cached_folder(self, name: str) -> str | None:
-        """Return the folder of a package in the cache of robot_descriptions.
-
-        A clone is called after its package; one of another commit is in `name-COMMIT/`. Other
-        packages are in clones, and have a package.xml.
-        """
-        folder = os.path.join(self._cache, name)
-        if os.path.isdir(folder):
-            return folder
-        for other in _subfolders(self._cache):
-            folder = os.path.join(self._cache, other, name)
-            if other.startswith(f"{name}-") and os.path.isdir(folder):
-                return folder
-        return self._cached_packages().get(name)
 
     def _cached_packages(self) -> dict[str, str]:
         if self._cached is None:

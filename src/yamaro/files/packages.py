@@ -106,7 +106,10 @@ class PackageFinder:
                 if folder := self._packages_below(root, depth).get(name):
                     break
         if folder is None:
-            return self._find_installed(name)
+            if self._reach is not None:
+                return self._reach.package(name)
+            installed = self.installed()
+            return installed.folder(name) if installed is not None else None
         self._named.setdefault(name, (folder, span))
         return folder
 
@@ -120,12 +123,6 @@ class PackageFinder:
             if folder := self._packages_below(path).get(name):
                 return folder
         return None
-
-    def _find_installed(self, name: str) -> str | None:
-        if self._reach is not None:
-            return self._reach.package(name)
-        installed = self.installed()
-        return installed.folder(name) if installed is not None else None
 
     def installed(self) -> InstalledPackages | None:
         """Return what finds the packages that Python packages bring, if it is to be asked."""
@@ -250,22 +247,22 @@ class PackageFinder:
         """
         scheme, separator, rest = uri.partition("://")
         if not separator:
-            return _absolute(self._expanded(uri), base_dir)
+            is_home = uri == "~" or uri.startswith("~/")
+            path = self._home + uri[1:] if is_home else os.path.expanduser(uri)
+            return _absolute(path, base_dir)
         scheme = scheme.lower()
         if scheme == "file":
-            return _absolute(_unquoted(_without_host(rest), base_dir), base_dir)
+            if rest.startswith("localhost/"):  # the authority can only be this machine
+                rest = rest[len("localhost") :]
+            if os.name == "nt" and rest[:1] == "/" and rest[2:3] == ":":
+                rest = rest[1:]
+            return _absolute(_unquoted(rest, base_dir), base_dir)
         if scheme not in ("package", "model"):
             return None
         name, _, inner = rest.partition("/")
         folder = self._find_model(name) if scheme == "model" else None
         folder = folder or self.find(name, base_dir, span)
         return _absolute(_unquoted(inner, folder), folder) if folder else None
-
-    def _expanded(self, path: str) -> str:
-        """Return a path with the home folder in place of `~`."""
-        if path == "~" or path.startswith("~/"):
-            return self._home + path[1:]
-        return os.path.expanduser(path)
 
     def _find_model(self, name: str) -> str | None:
         """Return the folder of a Gazebo model."""
@@ -438,15 +435,6 @@ def _is_searched(entry: os.DirEntry[str], links: set[str]) -> bool:
 
 def _absolute(path: str, base_dir: str) -> str:
     return os.path.abspath(os.path.join(base_dir, path))
-
-
-def _without_host(rest: str) -> str:
-    """Return the path of a file URI without its authority, which can only be this machine."""
-    if rest.startswith("localhost/"):
-        rest = rest[len("localhost") :]
-    if os.name == "nt" and rest[:1] == "/" and rest[2:3] == ":":
-        return rest[1:]
-    return rest
 
 
 def _unquoted(path: str, base_dir: str) -> str:

@@ -50,7 +50,8 @@ class Reach:
         folder = self._installed.folder(name)
         if folder is not None:
             self._packages[name] = folder
-            self._allow(folder)
+            if not _holds_home(folder):
+                self.also_allow([os.path.realpath(folder)])
         return folder
 
     def has_new(self, names: Iterable[str]) -> bool:
@@ -63,10 +64,6 @@ class Reach:
     def also_allow(self, other: Sequence[str]) -> None:
         """Allow the folders and files of another reach, too."""
         self.roots += [root for root in other if root not in self.roots]
-
-    def _allow(self, folder: str) -> None:
-        if not _holds_home(folder):
-            self.also_allow([os.path.realpath(folder)])
 
     def allows(self, path: str) -> bool:
         """Return whether a path, having followed its links, lies where files may be read."""

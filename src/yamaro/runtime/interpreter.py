@@ -146,7 +146,12 @@ class Interpreter:
         self.reporter = reporter
         self.messages = Messages(on_message, policy.limits)
         self.shared_names = SharedNames()
-        self.safety = _safety_of(policy, self.messages)
+        self.safety: SafeRuntime | None = None
+        if policy.is_safe:
+            from ..safe.limits import SafeLimits
+            from ..safe.runtime import SafeRuntime
+
+            self.safety = SafeRuntime(SafeLimits.of(policy.limits), say=self.messages.say)
         self.target = target
         self.files = Files(
             library,
@@ -318,15 +323,6 @@ class Interpreter:
                 ],
                 trace=self.frame,
             )
-
-
-def _safety_of(policy: Policy, messages: Messages) -> SafeRuntime | None:
-    if not policy.is_safe:
-        return None
-    from ..safe.limits import SafeLimits
-    from ..safe.runtime import SafeRuntime
-
-    return SafeRuntime(SafeLimits.of(policy.limits), say=messages.say)
 
 
 def _evaluator_of(policy: Policy, files: Files, safety: SafeRuntime | None) -> Evaluator:

@@ -89,11 +89,13 @@ class Helpers:
         try:
             data = self._library.loader.read(absolute)
         except LoadError as error:
-            raise InputFault(
-                error.code,
-                f"the file '{text}' cannot be read: {error}",
-                error.hint or self._hint_for(absolute),
-            ) from None
+            hint: str | None = error.hint
+            if hint is None:
+                neighbours = self._library.loader.neighbours(absolute)
+                near = did_you_mean(os.path.basename(absolute), neighbours)
+                hint = near or f"searched for {absolute}"
+            message = f"the file '{text}' cannot be read: {error}"
+            raise InputFault(error.code, message, hint) from None
         self._note_file(absolute)
         source = decode(data, name=text, path=absolute)
         reporter = Reporter()
@@ -112,11 +114,6 @@ class Helpers:
             f"'{scheme}://' cannot be read: files are not downloaded",
             "save the file locally and read it with a path or package://",
         )
-
-    def _hint_for(self, path: str) -> str:
-        """Return what to say of a path that leads to no file."""
-        neighbours = self._library.loader.neighbours(path)
-        return did_you_mean(os.path.basename(path), neighbours) or f"searched for {path}"
 
     def find(self, package: str) -> str:
         """Return the folder of a ROS package."""

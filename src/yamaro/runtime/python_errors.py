@@ -567,7 +567,16 @@ def add_origins(diagnostic: Diagnostic, files: Files, passed: Mapping[str, Span]
         passed: where the variables of the main file are set.
     """
     span = diagnostic.span
-    names = _names_written(span.written())
+    text = span.written()
+    listed: list[str] = []
+    start = text.find("$(")
+    while start >= 0:
+        end = find_close(text, start + 2)
+        if end < 0:
+            break
+        listed += names_in(text[start + 2 : end])
+        start = text.find("$(", end)
+    names = list(dict.fromkeys(listed))
     places = ((name, _only_place(name, diagnostic, files, passed)) for name in names)
     notes = [
         f"it comes from '{name}', {set_at(place)}"
@@ -577,19 +586,6 @@ def add_origins(diagnostic: Diagnostic, files: Files, passed: Mapping[str, Span]
         if place is not None
     ]
     diagnostic.notes = (*diagnostic.notes, *notes[:MAX_NOTES])
-
-
-def _names_written(text: str) -> list[str]:
-    """Return the names that the `$(…)` in a text read."""
-    names: list[str] = []
-    start = text.find("$(")
-    while start >= 0:
-        end = find_close(text, start + 2)
-        if end < 0:
-            break
-        names += names_in(text[start + 2 : end])
-        start = text.find("$(", end)
-    return list(dict.fromkeys(names))
 
 
 def _only_place(

@@ -63,9 +63,10 @@ class Noted:
                 if value is MISSING or callable(value) or isinstance(value, Namespace):
                     continue
                 text = _text_of(self._interpreter, value, span)
-                noted.append(
-                    Reading(name, text, span, _given_elsewhere(scope.place_of(name), span))
-                )
+                place = scope.place_of(name)
+                if place is not None and place.source is span.source and place.start == span.start:
+                    place = None  # it has the value of its declaration
+                noted.append(Reading(name, text, span, place))
 
     def take_parameters(self, scope: Scope, node: FunctionNode) -> None:
         """Note the values of the parameters of a function that was called just now."""
@@ -75,13 +76,6 @@ class Noted:
     def readings(self) -> list[Reading]:
         """Return all of them: the name, the value, and where it is declared."""
         return [each for noted in self._values.values() for each in noted]
-
-
-def _given_elsewhere(place: Span | None, span: Span) -> Span | None:
-    """Return where a value was set, unless that is where its name is declared."""
-    if place is None or (place.source is span.source and place.start == span.start):
-        return None
-    return place
 
 
 def run_recorded_element(

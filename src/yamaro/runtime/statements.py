@@ -49,7 +49,6 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
     from typing import Any
 
-    from ..fixes import Fix
     from ..xml.tree import Node
     from .interpreter import Handlers
 
@@ -124,9 +123,14 @@ def _means_false(value: Any) -> bool:
 
 
 def _refusal(value: Any, condition: PythonCode, scope: Scope, evaluator: Evaluator) -> YamaroError:
-    from .python_errors import names_of_value, notes_on_names
+    from ..fixes import replacement
+    from .python_errors import YAML_1_1_BOOLEANS, names_of_value, notes_on_names
 
-    written = condition.span().written().strip()
+    written = condition.span().written()
+    meant = None  # for `no`, `off` and their like, which YAML 1.1 took for truth values
+    if isinstance(value, str) and written == value:
+        meant = YAML_1_1_BOOLEANS.get(written.lower())
+    written = written.strip()
     names = names_of_value(condition, scope, value)
     asked = names[0] if names else written if " " not in written else "name"
     return failure(
@@ -136,20 +140,8 @@ def _refusal(value: Any, condition: PythonCode, scope: Scope, evaluator: Evaluat
         hint=_hint_for_condition(value, asked) if isinstance(value, str) else f"call it: {asked}()",
         notes=notes_on_names(names, scope),
         trace=evaluator.frame,
-        fix=_fix_of_word(condition.span(), value),
+        fix=replacement(condition.span(), meant, is_safe=True) if meant is not None else None,
     )
-
-
-def _fix_of_word(span: Span, value: Any) -> Fix | None:
-    """Return the fix for `no`, `off` and their like, which YAML 1.1 took for truth values."""
-    from ..fixes import replacement
-    from .python_errors import YAML_1_1_BOOLEANS
-
-    word = span.written()
-    meant = YAML_1_1_BOOLEANS.get(word.lower())
-    if meant is None or word != value:
-        return None
-    return replacement(span, meant, is_safe=True)
 
 
 def _hint_for_condition(text: str, asked: str) -> str:

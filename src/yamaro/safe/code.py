@@ -362,11 +362,8 @@ def _is_harmless(operator: str, left: ast.expr, right: ast.expr) -> bool:
     """
     if operator in ("Add", "Sub", "Mult", "Pow"):
         return _is_decimal(left) or _is_decimal(right)
-    return operator in ("FloorDiv", "Mod") and _is_number(left)
-
-
-def _is_number(node: ast.expr) -> bool:
-    return type(node) is ast.Constant and type(node.value) in (int, float, complex)
+    is_number = type(left) is ast.Constant and type(left.value) in (int, float, complex)
+    return operator in ("FloorDiv", "Mod") and is_number
 
 
 def _is_decimal(node: ast.expr) -> bool:
@@ -700,7 +697,20 @@ def compile_safe(text: str, filename: str, mode: str, limits: SafeLimits | None 
     _check_text(text, limits, brackets_added=1 if mode == "eval" else 0)
     tree = compile(text, filename, mode, ast.PyCF_ONLY_AST, dont_inherit=True)
     assert isinstance(tree, (ast.Expression, ast.Module))
-    _check_size(tree, limits)
+    # How many nodes the tree has, and how deep it is, before anything recurses over it.
+    hint = "split it into several variables"
+    count = depth = 0
+    position: Position | None = None
+    level: list[ast.AST] = [tree]
+    while level:
+        count += len(level)
+        depth += 1
+        position = next(filter(None, map(position_of, level)), position)
+        if count > limits.nodes:
+            raise limits.passed("nodes", "this Python text has too many parts", hint)
+        if depth > limits.depth:
+            raise limits.passed("depth", "this is nested too deep", hint, position)
+        level = [child for node in level for child in ast.iter_child_nodes(node)]
     rewritten = Rewriter(HANDLERS, limits, is_statements=mode == "exec").visit(tree)
     return compile(rewritten, filename, mode, dont_inherit=True)
 
@@ -746,20 +756,3 @@ def _position_in(text: str, index: int) -> Position:
     start = text.rfind("\n", 0, index) + 1
     column = len(text[start:index].encode("utf-8", "surrogatepass"))
     return line, column, line, column + 1
-
-
-def _check_size(tree: ast.AST, limits: SafeLimits) -> None:
-    """Check how many nodes a tree has, and how deep it is, before anything recurses over it."""
-    hint = "split it into several variables"
-    count = depth = 0
-    position: Position | None = None
-    level: list[ast.AST] = [tree]
-    while level:
-        count += len(level)
-        depth += 1
-        position = next(filter(None, map(position_of, level)), position)
-        if count > limits.nodes:
-            raise limits.passed("nodes", "this Python text has too many parts", hint)
-        if depth > limits.depth:
-            raise limits.passed("depth", "this is nested too deep", hint, position)
-        level = [child for node in level for child in ast.iter_child_nodes(node)]

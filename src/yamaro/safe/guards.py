@@ -14,7 +14,7 @@ from math import log2
 from ..diagnostics import did_you_mean
 from ..namespace import Namespace
 from ..yaml.nodes import FlexiDict
-from .limits import RUN_IT, SafetyError, refused
+from .limits import RUN_IT, refused
 from .methods import CHANGING, DATA, READING
 from .values import (
     CONTAINERS,
@@ -311,7 +311,13 @@ class Guards(OperatorGuards):
             try:
                 return owner.members[name]
             except KeyError:
-                raise self._no_member(owner, name) from None
+                hint: str | None = did_you_mean(name, owner.members)
+                if hint is None:
+                    known = len(owner.members)
+                    hint = RUN_IT
+                    if known <= _MANY:
+                        hint = f"`{owner.name}` has {', '.join(sorted(owner.members))}"
+                raise refused(f"`{owner.name}.{name}`", hint=hint) from None
         if kind is Namespace:
             return getattr(owner, name)
         method = READING.get(kind, {}).get(name)
@@ -329,15 +335,6 @@ class Guards(OperatorGuards):
         if method is not None:
             return Function(method, self, owner)
         return self.attribute(owner, name)
-
-    def _no_member(self, module: Module, name: str) -> SafetyError:
-        hint: str | None = did_you_mean(name, module.members)
-        if hint is None:
-            known = len(module.members)
-            hint = RUN_IT
-            if known <= _MANY:
-                hint = f"`{module.name}` has {', '.join(sorted(module.members))}"
-        return refused(f"`{module.name}.{name}`", hint=hint)
 
     def _no_attribute(self, owner: Any, name: str) -> Any:
         kind = type(owner)
@@ -456,7 +453,21 @@ class Guards(OperatorGuards):
             return self.text(value)
         if kind in SCALARS or kind in self.foreign:
             if spec:
-                self._check_spec(spec)
+                if spec[-1] == "n":
+                    raise refused(
+                        "the format `n`",
+                        "its result depends on the language of the machine",
+                        "write the format `d` or `g`",
+                    )
+                self.check_text(len(spec))
+                digits = 0
+                for char in spec:
+                    # Digits of any script count.
+                    digits = digits * 10 + int(char) if char.isdecimal() else 0
+                    if digits > self.limits.width:
+                        raise self.limits.passed(
+                            "width", f"the format '{spec[:40]}' makes long texts"
+                        )
             if kind is int:
                 self.check_bits(value.bit_length())
             elif kind is str:
@@ -468,21 +479,6 @@ class Guards(OperatorGuards):
             name = "set" if kind is OrderedSet else kind.__name__
             raise TypeError(f"unsupported format string passed to {name}.__format__")
         raise refused(f"formatting {a_type(value)}")
-
-    def _check_spec(self, spec: str) -> None:
-        if spec[-1] == "n":
-            raise refused(
-                "the format `n`",
-                "its result depends on the language of the machine",
-                "write the format `d` or `g`",
-            )
-        self.check_text(len(spec))
-        digits = 0
-        for char in spec:
-            # Digits of any script count.
-            digits = digits * 10 + int(char) if char.isdecimal() else 0
-            if digits > self.limits.width:
-                raise self.limits.passed("width", f"the format '{spec[:40]}' makes long texts")
 
     # --- coming in ---
 

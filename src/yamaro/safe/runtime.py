@@ -161,7 +161,10 @@ def _product(guards: Guards, values: Any, /, *, start: Any = 1) -> Any:
 
 def _factorial(guards: Guards, number: Any, /) -> int:
     number = guards.plain(number)
-    _check_count(guards, number)
+    if type(number) in WHOLE and number > 1:
+        bits = min(number, 1 << 32) * max(int(number).bit_length() - 2, 1)
+        guards.check_integer(bits)
+        guards.charge(bits >> 3)
     return math.factorial(number)
 
 
@@ -178,13 +181,6 @@ def _permutations(guards: Guards, number: Any, chosen: Any = None, /) -> int:
         return math.perm(number, chosen)  # none
     _check_choice(guards, number, number if chosen is None else chosen)
     return math.perm(number, chosen)
-
-
-def _check_count(guards: Guards, number: Any) -> None:
-    if type(number) in WHOLE and number > 1:
-        bits = min(number, 1 << 32) * max(int(number).bit_length() - 2, 1)
-        guards.check_integer(bits)
-        guards.charge(bits >> 3)
 
 
 def _check_choice(guards: Guards, number: Any, chosen: Any) -> None:
@@ -317,7 +313,7 @@ class SafeRuntime(Guards):
         """
         if name not in self._modules:
             found = self._modules[name] = module(self, name)
-            functions = [value for value in found.members.values() if _is_written_in_c(value)]
+            functions = [value for value in found.members.values() if type(value) is type(len)]
             if functions:
                 self._own = [*getattr(self, "_own", ()), *functions]
                 self.own = frozenset(map(id, self._own))
@@ -337,10 +333,6 @@ class SafeRuntime(Guards):
     def refusal_of_module(self, name: str, why: str) -> SafetyError:
         """Return the error for a module that is not allowed."""
         return refused(f"the module `{name}`", why)
-
-
-def _is_written_in_c(value: Any) -> bool:
-    return type(value) is type(len)
 
 
 def _say_nothing(text: str) -> None:

@@ -90,7 +90,12 @@ class _Watch:
             with self._lock:
                 if self._is_over:
                     return
-                _raise_in(self._thread, TimeOver)
+                import ctypes
+
+                # It cannot be taken back: Python 3.11 would then look for it forever, and stand
+                # still where a debugger or a coverage tool traces.
+                thread = ctypes.c_ulong(self._thread)
+                ctypes.pythonapi.PyThreadState_SetAsyncExc(thread, ctypes.py_object(TimeOver))
             seconds = AGAIN_AFTER
 
 
@@ -136,14 +141,3 @@ class _Monitor:
         if now >= self._until:
             self._until = now + AGAIN_AFTER
             raise TimeOver
-
-
-def _raise_in(thread: int, kind: type[BaseException]) -> None:
-    """Raise an exception in a thread as soon as it runs Python code.
-
-    It cannot be taken back: Python 3.11 would then look for it forever, and stand still where a
-    debugger or a coverage tool traces.
-    """
-    import ctypes
-
-    ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread), ctypes.py_object(kind))

@@ -43,7 +43,11 @@ def run_on_deep_stack(function: Callable[[], T]) -> T:
     stays as it is: with Python's usual 1,000, functions of YAML can call each other 190 deep.
     """
     if sys.gettrace() is not None or sys.getprofile() is not None:
-        return _run_here(function)
+        _raise_recursion_limit()
+        try:
+            return function()
+        finally:
+            _restore_recursion_limit()
     job = _Job(function)
     worker = None
     try:
@@ -238,14 +242,6 @@ def _new_worker() -> _Worker | None:
     while not done.acquire(timeout=WAKING_INTERVAL):
         pass
     return worker if outcome[0] else None
-
-
-def _run_here(function: Callable[[], T]) -> T:
-    _raise_recursion_limit()
-    try:
-        return function()
-    finally:
-        _restore_recursion_limit()
 
 
 def _raise_recursion_limit() -> None:

@@ -452,23 +452,21 @@ class _Unpacker:
     """Unpacks what refers to sources and frames."""
 
     def __init__(self, sources: list[bytes], frames: list[bytes]) -> None:
-        self._sources = [self._source(data) for data in sources]
+        self._sources = []
+        for data in sources:
+            name, path, text = unpack(data)
+            absolute = _read_path(path) if path else ""
+            self._sources.append(Source(_read_text(text), name=_read_name(name), path=absolute))
         self._names: dict[bytes, str] = {}  # those of elements and attributes that are fine
         self._frames: list[Frame] = []
         for data in frames:
-            self._frames.append(self._frame(data))
-
-    def _source(self, data: bytes) -> Source:
-        name, path, text = unpack(data)
-        absolute = _read_path(path) if path else ""
-        return Source(_read_text(text), name=_read_name(name), path=absolute)
-
-    def _frame(self, data: bytes) -> Frame:
-        kind, name, place, around = unpack(data)
-        parent, home = map(self.frame, _read_numbers(around, 2))
-        if kind.decode() not in FRAME_KINDS:
-            raise ValueError("there is no such step")
-        return Frame(kind.decode(), _read_text(name), self.span(place), parent=parent, home=home)
+            kind, name, place, around = unpack(data)
+            parent, home = map(self.frame, _read_numbers(around, 2))
+            word = kind.decode()
+            if word not in FRAME_KINDS:
+                raise ValueError("there is no such step")
+            frame = Frame(word, _read_text(name), self.span(place), parent=parent, home=home)
+            self._frames.append(frame)
 
     def span(self, data: bytes) -> Span:
         index, start, end = _read_numbers(data, 3)

@@ -82,7 +82,15 @@ def live_in_jail(cell: Cell, work: Callable[[], bytes]) -> NoReturn:  # pragma: 
     """Be the child: nothing of the parent's code runs after this, not even its `finally`."""
     try:
         if _is_confined(cell):
-            _answer(cell.writer, work)
+            try:
+                answer = work()
+                if not isinstance(answer, bytes):
+                    raise TypeError("the work gives no bytes")
+                _send(cell.writer, ANSWER, answer)
+            except MemoryError:
+                os.write(cell.writer, OUT_OF_MEMORY)
+            except BaseException as error:
+                _send(cell.writer, FAILED, pack([_bytes(text) for text in _describe(error)]))
     finally:
         os._exit(0)
 
@@ -97,18 +105,6 @@ def _is_confined(cell: Cell) -> bool:  # pragma: no cover
         _send(cell.writer, NO_JAIL, _bytes(text))
         return False
     return True
-
-
-def _answer(writer: int, work: Callable[[], bytes]) -> None:  # pragma: no cover
-    try:
-        answer = work()
-        if not isinstance(answer, bytes):
-            raise TypeError("the work gives no bytes")
-        _send(writer, ANSWER, answer)
-    except MemoryError:
-        os.write(writer, OUT_OF_MEMORY)
-    except BaseException as error:
-        _send(writer, FAILED, pack([_bytes(text) for text in _describe(error)]))
 
 
 def _describe(error: BaseException) -> tuple[str, str, str, str]:
@@ -164,7 +160,9 @@ def _confine(cell: Cell) -> None:  # pragma: no cover
     _set_limits(cell.limits)
     check(call(architecture.prctl, _PR_SET_NO_NEW_PRIVS, 1), "PR_SET_NO_NEW_PRIVS")
     landlock.restrict(cell.ruleset)
-    _close_all_but(cell.writer)
+    if cell.writer > 3:
+        check(call(_CLOSE_RANGE, 3, cell.writer - 1), "close_range")
+    check(call(_CLOSE_RANGE, cell.writer + 1, _LAST_DESCRIPTOR), "close_range")
     seccomp.install(architecture, cell.program)
     _prove_confined(architecture)
 
@@ -177,12 +175,6 @@ def _replace_standard_streams() -> None:  # pragma: no cover
     sys.stdin = open(0, encoding="utf-8", closefd=False)  # noqa: SIM115
     sys.stdout = open(1, "w", encoding="utf-8", errors="replace", closefd=False)  # noqa: SIM115
     sys.stderr = open(2, "w", encoding="utf-8", errors="replace", closefd=False)  # noqa: SIM115
-
-
-def _close_all_but(writer: int) -> None:  # pragma: no cover
-    if writer > 3:
-        check(call(_CLOSE_RANGE, 3, writer - 1), "close_range")
-    check(call(_CLOSE_RANGE, writer + 1, _LAST_DESCRIPTOR), "close_range")
 
 
 def _clear_environment(kept_names: Sequence[str]) -> None:  # pragma: no cover

@@ -55,7 +55,11 @@ class Ruleset:
         except OSError:  # it does not exist, or we may not even look at it
             return
         try:
-            _refuse_pseudo_files(path, os.readlink(f"/proc/self/fd/{descriptor}"))
+            real = os.readlink(f"/proc/self/fd/{descriptor}")
+            # Landlock can allow a folder, but not all of it except one below.
+            for pseudo in ("/proc", "/sys", "/dev"):
+                if covers(real, pseudo) or covers(pseudo, real):
+                    raise JailUnavailable(f"'{path}' may not be read in a jail: it opens {pseudo}")
             is_folder = (os.fstat(descriptor).st_mode & 0o170000) == 0o040000
             rights = _READ_FILE | _READ_DIR if is_folder else _READ_FILE
             rule = ctypes.create_string_buffer(struct.pack("=Qi", rights, descriptor), 12)
@@ -70,16 +74,6 @@ class Ruleset:
             )
         finally:
             os.close(descriptor)
-
-
-def _refuse_pseudo_files(path: str, real: str) -> None:
-    """Raise JailUnavailable if a path would open /proc, which shows other processes, or devices.
-
-    Landlock can allow a folder, but not all of it except one below.
-    """
-    for pseudo in ("/proc", "/sys", "/dev"):
-        if covers(real, pseudo) or covers(pseudo, real):
-            raise JailUnavailable(f"'{path}' may not be read in a jail: it opens {pseudo}")
 
 
 def restrict(ruleset: int) -> None:  # pragma: no cover - in a child

@@ -89,7 +89,10 @@ def run(
     that is lost like that ends with its parent, or at a limit.
     """
     for stream in (sys.stdout, sys.stderr):
-        _flush(stream)
+        try:
+            stream.flush()
+        except (AttributeError, OSError, ValueError):  # there is none, or it is closed or broken
+            pass
     mask = signal.pthread_sigmask(signal.SIG_BLOCK, _ALL_SIGNALS)
     try:
         with Ruleset(readable) as ruleset, Child(limits) as child:
@@ -299,10 +302,3 @@ def _look_at(pid: int) -> object:
         ChildProcessError: there is no such child.
     """
     return os.waitid(os.P_PID, pid, os.WEXITED | os.WNOHANG | os.WNOWAIT)
-
-
-def _flush(stream: object) -> None:
-    try:
-        stream.flush()  # type: ignore[attr-defined]
-    except (AttributeError, OSError, ValueError):  # there is none, or it is closed or broken
-        pass
