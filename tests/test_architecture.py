@@ -13,7 +13,10 @@ MODULE = re.compile(r"`(\w+\.py)`")
 
 
 def modules_mapped() -> list[str]:
-    """Return the modules in the first cells of the table, with their folders."""
+    """Return the modules in the first cells of the table, with their folders.
+
+    Tools that are not there are left out: each can be deleted as a folder.
+    """
     text = (REPOSITORY / "ARCHITECTURE.md").read_text(encoding="utf-8")
     table = text.split("\n## Modules\n")[1].split("\n## ")[0]
     folder = ""
@@ -25,7 +28,8 @@ def modules_mapped() -> list[str]:
         phase = PHASE.search(cell)
         folder = phase[1] if phase else folder
         found += [folder + name for name in MODULE.findall(cell)]
-    return found
+    tools = {each.name for each in (PACKAGE / "tools").iterdir()}
+    return [each for each in found if each[:6] != "tools/" or each.split("/")[1] in tools]
 
 
 def modules_there() -> list[str]:

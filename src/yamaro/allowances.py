@@ -250,7 +250,7 @@ def _read(source: Source) -> Iterator[Allowance]:
 
 
 class _YamlLayout:
-    """Which lines of YAML belong together.
+    """The lines of YAML that belong together.
 
     Attributes:
         comments: the comments.
@@ -348,7 +348,7 @@ _HEAD_TOKENS = frozenset(
 
 
 class _XmlLayout:
-    """Which lines of XML belong together.
+    """The lines of XML that belong together.
 
     Attributes:
         comments: the comments.

@@ -1,4 +1,4 @@
-"""Builds that leave a jail: what is sent of them there, and what is made of that here."""
+"""Builds that leave a jail: as they are sent from there, and as they are made again here."""
 
 from __future__ import annotations
 

@@ -137,7 +137,7 @@ def merged_variables(variables: object, named: Mapping[str, object]) -> dict[str
 
 
 class Options:
-    """What a build is asked for with, complete and checked; it never changes.
+    """Options of a build, complete and checked; they never change.
 
     The attributes are the keywords of `yamaro.build`, which says what they mean.
 

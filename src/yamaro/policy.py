@@ -1,4 +1,4 @@
-"""How far a file is trusted, and how much it may use: decided once, and passed down.
+"""Trust in a file, and limits on what it may use: decided once, and passed down.
 
 Three modes: trusted code is run as it is; jailed code is run as it is in a process that the kernel
 confines; safe code is a part of Python that has no effects. The limits hold in each of them.
@@ -62,7 +62,7 @@ _RANGE = (1, 1 << 50)
 
 
 class Limits(Public):
-    """How much one conversion may use; a number for each, 0 where there is none.
+    """Limits of one conversion; a number for each, 0 where there is none.
 
     Attributes:
         file: bytes of one file.
@@ -140,7 +140,7 @@ class Limits(Public):
 
 
 class Policy(Public):
-    """How far a file is trusted: the mode, the limits, the time, and what it may read.
+    """Trust in a file: the mode, the limits, the time, and the paths it may read.
 
     Attributes:
         mode: TRUSTED, JAIL or SAFE.

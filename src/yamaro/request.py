@@ -1,4 +1,4 @@
-"""One build as it was asked for: the main file, its variables, what may be read, the options."""
+"""One build as it was asked for: main file, variables, options, permission to read."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ _OF_THIS_MACHINE = (
 
 
 class Request:
-    """What is built, with which variables, and where warnings go.
+    """A build that is asked for: its main file, its variables, and the reporter of its warnings.
 
     Attributes:
         source: the main file, as it was read.
@@ -225,7 +225,14 @@ def read_arguments(
         UsageError: a `name:=value` is malformed.
     """
     if is_xml:
-        values, places = _read_texts(command_line)
+        values: dict[str, object] = {}
+        places: dict[str, Span] = {}
+        for argument in command_line:
+            name, separator, value = argument.partition(":=")
+            if not separator or not name:
+                raise UsageError(f"'{argument}' is not of the form name:=value")
+            values[name] = value
+            places[name] = Span(Source(argument, name=COMMAND_LINE), 0, len(name))
         values.update({name: format_value(value) for name, value in variables.items()})
     else:
         values, places = read_command_line(command_line)
@@ -254,17 +261,4 @@ def read_command_line(arguments: Sequence[str]) -> tuple[dict[str, object], dict
         except YamaroError as error:
             raise UsageError(f"'{argument}': {error.diagnostics[0].message}") from None
         places[python_name(name)] = Span(source, 0, len(name))
-    return values, places
-
-
-def _read_texts(command_line: Sequence[str]) -> tuple[dict[str, object], dict[str, Span]]:
-    """Return the arguments of a xacro file, as they are written, and where each name is."""
-    values: dict[str, object] = {}
-    places: dict[str, Span] = {}
-    for argument in command_line:
-        name, separator, value = argument.partition(":=")
-        if not separator or not name:
-            raise UsageError(f"'{argument}' is not of the form name:=value")
-        values[name] = value
-        places[name] = Span(Source(argument, name=COMMAND_LINE), 0, len(name))
     return values, places

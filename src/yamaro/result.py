@@ -1,4 +1,4 @@
-"""The result of a build: the document, what it refers to, and the tree it was written from."""
+"""The result of a build: the document, the files it names, and the tree it was written from."""
 
 from __future__ import annotations
 

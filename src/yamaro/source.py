@@ -1,4 +1,4 @@
-"""Source text and spans: where in which file something was written.
+"""Source text, and spans: stretches of the text of a file.
 
 A span is a pair of character offsets, the end exclusive. Line and column are worked out only when
 a diagnostic is shown, so carrying a span costs next to nothing.

@@ -13,7 +13,7 @@ from ..model.values import attribute_text, child_named, content, content_span
 from .context import shown
 from .robot import is_fixed
 from .values import (
-    Names,
+    UniqueNames,
     check_order,
     check_required,
     check_value,
@@ -89,7 +89,7 @@ TOLERANCE = 1e-6
 
 def check_ros2_control(blocks: Iterable[Element], tree: Tree, context: CheckContext) -> None:
     """Check the `<ros2_control>` blocks; joints that do not exist are reported elsewhere."""
-    names = Names("ros2_control blocks", REFUSES)
+    names = UniqueNames("ros2_control blocks", REFUSES)
     commanded: set[str] = set()
     for block in blocks:
         context.outermost = block
@@ -262,7 +262,7 @@ def _check_components(
 ) -> None:
     """Check the joints, sensors and GPIOs of a block."""
     by_kind = {
-        part: Names(f"{part}s in this block", REFUSES) for part in ("joint", "sensor", "gpio")
+        part: UniqueNames(f"{part}s in this block", REFUSES) for part in ("joint", "sensor", "gpio")
     }
     own_joints = {named(each) for each in children(block, "joint")}
     seen: set[str] = set()
@@ -310,7 +310,9 @@ def _check_component(
                 check_value(params[key], ANY, f"'{key}' of {where}", context)
     if part.name == "joint":
         _check_attributes(part, where, context)
-    names = {interface: Names(f"{interface}s of {where}", REFUSES) for interface in INTERFACES}
+    names = {
+        interface: UniqueNames(f"{interface}s of {where}", REFUSES) for interface in INTERFACES
+    }
     count = 0
     for child in part.elements():
         own = names.get(child.name)
@@ -548,7 +550,7 @@ def check_transmissions(
 ) -> None:
     """Check the transmissions of ros_control; joints that do not exist are reported elsewhere."""
     skips = "ros_control skips it"
-    names: dict[tuple[str, ...], Names] = {}
+    names: dict[tuple[str, ...], UniqueNames] = {}
     for transmission in transmissions:
         context.outermost = transmission
         name = named(transmission)
@@ -558,7 +560,7 @@ def check_transmissions(
         kind = child_named(transmission, "type")
         text = content(kind) or ""
         is_old = kind is None and attribute_text(transmission, "type")
-        own_names = Names("transmissions", "ros_control keeps one of them")
+        own_names = UniqueNames("transmissions", "ros_control keeps one of them")
         names.setdefault((text, *_interfaces(joints)), own_names).add(transmission, context)
         for joint in joints if text in TRANSMISSIONS else ():
             found = tree.joints.get(named(joint))
@@ -682,7 +684,7 @@ def _check_counts(
     """Report a transmission that has not the joints and actuators of its type."""
     count = TRANSMISSIONS.get(kind)
     for word, found in (("joint", joints), ("actuator", actuators)):
-        names = Names(f"{word}s of {where}", "it is not loaded")
+        names = UniqueNames(f"{word}s of {where}", "it is not loaded")
         for part in found:
             names.add(part, context)
         if not found:

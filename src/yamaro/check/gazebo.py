@@ -32,7 +32,7 @@ from .robot import is_fixed, near_name
 from .values import (
     LENIENT_TRUTHS,
     TRUTHS,
-    Names,
+    UniqueNames,
     check_order,
     check_required,
     check_value,
@@ -67,7 +67,7 @@ def check_gazebo(blocks: Iterable[Element], tree: Tree, context: CheckContext) -
         for child in block.elements()
         if child.name in PRESERVED and (content(child) or "").lower() in ("true", "yes", "1")
     }
-    sensors: dict[str, Names] = {}
+    sensors: dict[str, UniqueNames] = {}
     for block in blocks:
         context.outermost = block
         misspelt = next((each for each in block.attributes if is_near(each, "reference")), None)
@@ -93,7 +93,9 @@ def check_gazebo(blocks: Iterable[Element], tree: Tree, context: CheckContext) -
         for child in block.elements():
             _check_entry(child, table, seen, where, context)
             if child.name == "sensor":
-                names = sensors.setdefault(reference, Names(f"sensors for '{reference}'", REFUSES))
+                names = sensors.setdefault(
+                    reference, UniqueNames(f"sensors for '{reference}'", REFUSES)
+                )
                 names.add(child, context)
                 _check_sensor(child, reference, tree, context)
             elif child.name == "plugin":
@@ -335,7 +337,7 @@ def _check_plugin(plugin: Element, tree: Tree, context: CheckContext) -> None:
 
 def check_sensors(sensors: Iterable[Element], context: CheckContext) -> None:
     """Check the `<sensor>` elements in a robot, as the proposal of URDF for them has it."""
-    names = Names("sensors", "readers keep one of them")
+    names = UniqueNames("sensors", "readers keep one of them")
     for sensor in sensors:
         context.outermost = sensor
         name = named(sensor)

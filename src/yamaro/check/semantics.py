@@ -10,7 +10,7 @@ from ..model.values import attribute_text
 from .context import CheckContext, shown
 from .robot import is_fixed
 from .values import (
-    Names,
+    UniqueNames,
     check_required,
     check_value,
     children,
@@ -78,16 +78,16 @@ def check_semantics(root: Element, context: CheckContext) -> None:
     """Check an SRDF without its robot: what is missing, repeated, or names no group."""
     groups = {named(each): each for each in children(root, "group")}
     names = {
-        "group": Names("groups", "MoveIt keeps the first"),
-        "end_effector": Names("end effectors", "MoveIt keeps one of them"),
-        "virtual_joint": Names("virtual joints", "MoveIt keeps one of them"),
-        "passive_joint": Names("passive joints", "one is enough"),
+        "group": UniqueNames("groups", "MoveIt keeps the first"),
+        "end_effector": UniqueNames("end effectors", "MoveIt keeps one of them"),
+        "virtual_joint": UniqueNames("virtual joints", "MoveIt keeps one of them"),
+        "passive_joint": UniqueNames("passive joints", "one is enough"),
     }
     virtual = {
         named(each): VIRTUAL.get((attribute_text(each, "type") or "").strip().lower(), 0)
         for each in children(root, "virtual_joint")
     }
-    states: dict[str, Names] = {}
+    states: dict[str, UniqueNames] = {}
     pairs: dict[tuple[str, ...], Element] = {}
     for child in root.elements():
         context.outermost = child
@@ -103,7 +103,7 @@ def check_semantics(root: Element, context: CheckContext) -> None:
             _check_group(child, groups, where, context)
         elif child.name == "group_state":
             group = (attribute_text(child, "group") or "").strip()
-            states.setdefault(group, Names(f"states of '{group}'", "MoveIt keeps one")).add(
+            states.setdefault(group, UniqueNames(f"states of '{group}'", "MoveIt keeps one")).add(
                 child, context
             )
             _check_group_name(child, "group", groups, where, context)
@@ -252,7 +252,7 @@ def _check_state(
     state: Element, virtual: dict[str, int], where: str, context: CheckContext
 ) -> None:
     """Check the joints of a state: one number each, several for a virtual joint."""
-    names = Names(f"joints of {where}", "the last counts")
+    names = UniqueNames(f"joints of {where}", "the last counts")
     for joint in children(state, "joint"):
         name = named(joint)
         check_required(joint, ("name", "value"), f"a joint of {where}", IGNORES, context)

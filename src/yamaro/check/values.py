@@ -215,7 +215,7 @@ def check_required(
     return is_whole
 
 
-class Names:
+class UniqueNames:
     """The names of elements of one kind, each of which can be used once."""
 
     __slots__ = ("_first", "_kinds", "_result")

@@ -1,10 +1,11 @@
-"""`yamaro args FILE` and `yamaro FILE --help-args`: what may be passed to a file."""
+"""`yamaro args FILE` and `yamaro FILE --help-args`: arguments and variables of a file."""
 
 from __future__ import annotations
 
 import json
 
 from ..declared_arguments import ARGUMENTS, Declared, Listing
+from ..streams import Streams
 from ..syntax.argument_section import (
     BOOLEAN,
     INTEGER,
@@ -16,17 +17,11 @@ from ..syntax.argument_section import (
     TEXT,
     ArgumentEntry,
 )
-from .arguments import make_policy, read_packages
+from .arguments import Arguments, make_policy, read_packages
 from .conversion import end_process, read_pipe
 from .reports import INPUT_ERROR, WrongUsage, deliver, show
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from ..declared_arguments import Listing
-    from ..streams import Streams
-    from .arguments import Arguments
-
-    Json = dict[str, object]
+Json = dict[str, object]
 
 
 def run(arguments: Arguments, streams: Streams) -> int:

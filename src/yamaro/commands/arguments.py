@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 class Arguments:
-    """What the command line asks for.
+    """The command line, taken apart.
 
     Attributes:
         command: the name of a command.
@@ -46,7 +46,7 @@ class Arguments:
 
     @property
     def known_command(self) -> Command:
-        """What is known of the command."""
+        """The description of the command."""
         command = command_named(self.command)
         assert command is not None, self.command
         return command

@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable, Mapping, Sequence
 
-from ..diagnostics import ERROR, Reporter, YamaroError, failure_of_all
+from ..diagnostics import ERROR, Diagnostic, Reporter, YamaroError, failure_of_all
+from ..model.robot import Robot
 from ..model.schema import is_semantic
 from ..model.values import attribute_text
+from ..result import Build
 from ..source import STANDARD_INPUT
-from .arguments import make_policy, read_adjustment, read_packages
+from ..streams import Streams
+from .arguments import Arguments, make_policy, read_adjustment, read_packages
+from .check_reports import Checked
 from .conversion import convert_file, find_in_file
 from .reports import (
     DONE,
@@ -20,17 +25,6 @@ from .reports import (
     refuse_overwriting,
     show,
 )
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
-
-    from ..diagnostics import Diagnostic
-    from ..model.robot import Robot
-    from ..result import Build
-    from ..streams import Streams
-    from .arguments import Arguments
-    from .check_reports import Checked
 
 
 def run(arguments: Arguments, streams: Streams) -> int:

@@ -11,23 +11,18 @@ import hashlib
 import json
 import os
 import re
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Any
 from urllib.parse import quote
 
 from ..allowances import allowing
 from ..codes import HOME, help_text, rules
-from ..diagnostics import ACCEPTED, WARNING
+from ..diagnostics import ACCEPTED, WARNING, Diagnostic, Frame
+from ..fixes import Fix
 from ..rendering import render_all
+from ..source import Span
 from ..terminal import printable
 from ..xml.values import escaped_attribute, escaped_text
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Sequence
-    from typing import Any
-
-    from ..diagnostics import Diagnostic, Frame
-    from ..fixes import Fix
-    from ..source import Span
 
 
 class Checked:

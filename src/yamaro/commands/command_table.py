@@ -1,4 +1,4 @@
-"""The commands: a table of those of the core, and how those of tools are found.
+"""The commands: a table of those of the core, and the search for those of tools.
 
 A tool is a folder in `tools/` that is called as its command. Its module `entry` has the `Command`,
 as `COMMAND`, and a function `run`; nothing else knows of the tool.

@@ -1,4 +1,4 @@
-"""Builds one file once, says what there is to say, and writes what a command makes of it.
+"""Builds one file once, reports on it, and writes the result of a command.
 
 That file may be one that can be read only once: standard input or a named pipe.
 """

@@ -3,17 +3,13 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
 
 from ..output import is_input, write_file
+from ..result import Build
+from ..streams import Streams
+from .arguments import Arguments
 from .reports import DONE, INPUT_ERROR, WrongUsage, goes_to_standard_output, quote
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterable
-
-    from ..result import Build
-    from ..streams import Streams
-    from .arguments import Arguments
 
 ESCAPED = {"#": "\\#", "$": "$$", ":": "\\:"}
 """What make and Ninja would not take for letters of a name, besides white space."""

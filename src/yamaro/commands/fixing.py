@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-from ..diagnostics import YamaroError
+from collections.abc import Callable, Iterable, Mapping
+
+from ..diagnostics import Diagnostic, YamaroError
 from ..files.loader import FileLoader, LoadError, decode
+from ..fixes import Edit
+from ..policy import Limits
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Mapping
-
-    from ..diagnostics import Diagnostic
-    from ..fixes import Edit, Fix
-    from ..policy import Limits
-
-    Check = Callable[[Mapping[str, str]], list[Diagnostic]]
+Check = Callable[[Mapping[str, str]], list[Diagnostic]]
 
 MOST_ROUNDS = 50
 """Rounds of fixing and checking again: a fix may uncover what another one is for."""
@@ -69,13 +65,23 @@ class Fixing:
             chosen = self._choose(found)
             if not chosen:
                 break
-            self._apply(chosen)
+            edits: dict[str, list[Edit]] = {}
+            for diagnostic in chosen:
+                assert diagnostic.fix is not None, "only findings with fixes are chosen"
+                self.applied.append(Applied(diagnostic.span.place(), diagnostic.fix.title))
+                for edit in diagnostic.fix.edits:
+                    edits.setdefault(edit.span.source.path, []).append(edit)
+            for path, changes in edits.items():
+                text = changes[0].span.source.text
+                for edit in sorted(changes, key=lambda edit: edit.span.start, reverse=True):
+                    text = text[: edit.span.start] + edit.text + text[edit.span.end :]
+                self.texts[path] = text
             before, found = found, check(self.texts)
             # a fix has to remove its finding, and leave YAML
             for diagnostic in chosen:
                 if _count(diagnostic, found) >= _count(diagnostic, before):
-                    fix: Fix | None = diagnostic.fix
-                    title = fix.title if fix is not None else ""
+                    assert diagnostic.fix is not None
+                    title = diagnostic.fix.title
                     raise FixingFailed(f"{diagnostic.span.place()}: '{title}' does not help")
             was_read = not any(each.code.startswith("yaml-") for each in before)
             if was_read and any(each.code.startswith("yaml-") for each in found):
@@ -117,20 +123,6 @@ class Fixing:
             return decode(data, name=path, path=path).text
         except (LoadError, YamaroError):
             return None
-
-    def _apply(self, chosen: Iterable[Diagnostic]) -> None:
-        edits: dict[str, list[Edit]] = {}
-        for diagnostic in chosen:
-            fix = diagnostic.fix
-            assert fix is not None, "only findings with fixes are chosen"
-            self.applied.append(Applied(diagnostic.span.place(), fix.title))
-            for edit in fix.edits:
-                edits.setdefault(edit.span.source.path, []).append(edit)
-        for path, changes in edits.items():
-            text = changes[0].span.source.text
-            for edit in sorted(changes, key=lambda edit: edit.span.start, reverse=True):
-                text = text[: edit.span.start] + edit.text + text[edit.span.end :]
-            self.texts[path] = text
 
 
 def _touch(one: Edit, other: Edit) -> bool:

@@ -1,13 +1,17 @@
-"""What `--to` asks for, and how documents in several formats are written."""
+"""`--to`: the formats asked for, and the documents written in them."""
 
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
 
 from ..files.regular import read_start
 from ..output import is_input, write_files
+from ..result import Build
+from ..streams import Streams
 from ..targets.output import FOLDER, MARK, START, marked
 from ..targets.table import TARGETS
+from .arguments import Arguments
 from .reports import (
     DONE,
     INPUT_ERROR,
@@ -23,12 +27,7 @@ from .summary import counted
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable
-
     from ..options import AllOptions
-    from ..result import Build
-    from ..streams import Streams
-    from .arguments import Arguments
 
 
 def formats_in(arguments: Arguments) -> list[str]:

@@ -359,7 +359,14 @@ def help_of(name: str) -> str:
     """Return the help of a command; that of `yamaro FILE` also lists the others."""
     command = command_named(name)
     assert command is not None, name
-    blocks = [_usage(command), _wrapped(command.about, 0)]
+    called = "yamaro" if command.name == BUILD else f"yamaro {command.name}"
+    forms = " ".join(command.forms)
+    has_more = any(f"--{option.name}" not in forms for option in options_of(command)[:-2])
+    lines = [f"{called} {'[options] ' if has_more else ''}{form}" for form in command.forms]
+    blocks = [
+        [("usage: " if number == 0 else "       ") + line for number, line in enumerate(lines)],
+        _wrapped(command.about, 0),
+    ]
     if command.words:
         blocks.append([line for word, text in command.words for line in _row(word, text)])
     options = [line for option in options_of(command) for line in _option(option, command)]
@@ -377,14 +384,6 @@ def help_of(name: str) -> str:
     if name == BUILD:
         blocks.append([STATUS])
     return "\n\n".join("\n".join(block) for block in blocks) + "\n"
-
-
-def _usage(command: Command) -> list[str]:
-    name = "yamaro" if command.name == BUILD else f"yamaro {command.name}"
-    forms = " ".join(command.forms)
-    has_more = any(f"--{option.name}" not in forms for option in options_of(command)[:-2])
-    lines = [f"{name} {'[options] ' if has_more else ''}{form}" for form in command.forms]
-    return [("usage: " if number == 0 else "       ") + line for number, line in enumerate(lines)]
 
 
 def _option(option: Option, command: Command) -> list[str]:

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from time import monotonic
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from ..streams import Streams
+from ..streams import Streams
 
 WIDTH = 30
 PATIENCE, INTERVAL = 1.0, 0.1

@@ -1,4 +1,4 @@
-"""What the command gives: its result, where that is wanted; what it says; its exit statuses."""
+"""Output of a command: its result, its messages, its exit status."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`yamaro completion`: the completion scripts of shells, and what these ask.
+"""`yamaro completion`: completion scripts of shells, and the answers to them.
 
 The scripts are made from the tables of commands and options. They ask the command for the variables
 of the file on the command line, which is only read for that.

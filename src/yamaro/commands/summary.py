@@ -1,12 +1,9 @@
-"""Sums up a finished document in a line: what a robot has, or how large other XML is."""
+"""Summary of a finished document in a line: contents of a robot, or size of other XML."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from math import isfinite
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterable
 
 INERTIAL = ["robot", "link", "inertial"]
 

@@ -1,1 +1,1 @@
-"""Where files, packages and meshes are found, and what may be read."""
+"""Files, packages and meshes: finding and reading them, as far as that is permitted."""

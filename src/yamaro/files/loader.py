@@ -1,4 +1,4 @@
-"""Loaders: where the text of a file comes from, and what is wrong when it does not."""
+"""Loaders: sources of the text of files, and the errors of reading it."""
 
 from __future__ import annotations
 

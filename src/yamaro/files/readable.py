@@ -1,4 +1,4 @@
-"""What a file that is not trusted may read: its own folder, its packages, and what is allowed."""
+"""Permission to read, for untrusted files: their own folder, their packages, allowed paths."""
 
 from __future__ import annotations
 

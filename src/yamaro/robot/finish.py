@@ -38,7 +38,7 @@ def finish_notes(lowering: Lowering, robot: Element) -> tuple[Element, list[Robo
     robot, notes = take_notes(robot)
     if not notes:
         return robot, notes
-    names = _Names(robot)
+    names = _LinkTree(robot)
     states = merged_states(notes)
     _refuse_names_twice(lowering, notes)
     _check_groups(lowering, [note for note in notes if note.name == GROUP])
@@ -71,7 +71,7 @@ def merged_states(notes: Iterable[RobotNote]) -> States:
     return states
 
 
-class _Names:
+class _LinkTree:
     """The links and joints of a robot by name, and how its links are joined."""
 
     __slots__ = ("joints", "links", "parents")
@@ -138,7 +138,7 @@ def _check_groups(lowering: Lowering, groups: list[RobotNote]) -> None:
                 )
 
 
-def _check(lowering: Lowering, names: _Names, note: RobotNote) -> None:
+def _check(lowering: Lowering, names: _LinkTree, note: RobotNote) -> None:
     """Record what a note says of links and joints that the robot does not have."""
     if note.name == "state":
         _refuse_twice(lowering, note)
@@ -199,7 +199,7 @@ def _refuse_twice(lowering: Lowering, state: RobotNote) -> None:
             )
 
 
-def _check_state(lowering: Lowering, names: _Names, value: Element) -> None:
+def _check_state(lowering: Lowering, names: _LinkTree, value: Element) -> None:
     if not _check_joint(lowering, names, value):
         return
     joint = names.joints[str(value.attributes["joint"])]
@@ -241,7 +241,7 @@ def _check_state(lowering: Lowering, names: _Names, value: Element) -> None:
         )
 
 
-def _check_joint(lowering: Lowering, names: _Names, note: Element) -> bool:
+def _check_joint(lowering: Lowering, names: _LinkTree, note: Element) -> bool:
     """Return whether a note names a joint that can have a position of its own."""
     name = str(note.attributes["joint"])
     joint = names.joints.get(name)

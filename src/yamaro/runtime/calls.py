@@ -103,7 +103,7 @@ def _namespace(path: str, scope: Scope) -> Namespace | None:
 
 
 class Match:
-    """Which argument of a call goes to which parameter: known once the function is.
+    """The arguments of a call by the parameters they go to: known once the function is.
 
     Attributes:
         node: the function called.

@@ -1,4 +1,4 @@
-"""The files of a program, read and parsed once, and those of one conversion, with what they see."""
+"""Files of a program, read and parsed once; files of one conversion, with the names they see."""
 
 from __future__ import annotations
 
@@ -136,7 +136,7 @@ def rules_of(policy: Policy) -> Rules:
 
 
 class Late:
-    """What one conversion has parsed late, because only while it runs it is known what it means.
+    """Statements that one conversion parses late: only while it runs their meaning is known.
 
     The syntax tree stays as it is: other conversions may run it, and mean something else by the
     same.

@@ -1,4 +1,4 @@
-"""Evaluates what an `include` asks for: its path, its namespace, and what it passes."""
+"""Evaluates an `include`: its path, its namespace, and the variables it passes."""
 
 from __future__ import annotations
 

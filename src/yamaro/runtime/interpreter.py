@@ -1,4 +1,4 @@
-"""One conversion while it runs: what it knows, what it prints, the calls and includes it is in.
+"""One conversion while it runs: its state, its messages, the calls and includes it is in.
 
 Knows names, files and values, and nothing of robots: a `part` becomes an element that is lowered
 later. Every element made carries the span of its key and the calls and includes that led to it.

@@ -1,4 +1,4 @@
-"""Runs what makes output: elements, texts, comments, parts, and keys that are computed."""
+"""Runs elements, texts, comments, parts, and keys that are computed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Explains why Python in a file failed: where, what is said, hints, where values come from."""
+"""Explanations of failed Python: the place in the file, message, hints, origins of values."""
 
 from __future__ import annotations
 

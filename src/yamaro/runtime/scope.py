@@ -32,7 +32,7 @@ def function_key(name: str) -> str:
 
 
 class SharedNames:
-    """What all contexts of one conversion share: global and bridge names.
+    """Global and bridge names, which all contexts of one conversion share.
 
     Attributes:
         declared: every such name, in the order of the declarations, repeated ones included.

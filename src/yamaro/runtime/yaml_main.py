@@ -104,7 +104,7 @@ PREFIX_HINT = (
 
 
 class Passed:
-    """What one `include` has passed to a file."""
+    """The variables that one `include` has passed to a file."""
 
     __slots__ = ("document", "frame", "node")
 

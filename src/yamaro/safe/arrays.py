@@ -34,7 +34,7 @@ _SHOWN = 1000  # longer arrays are shown by their ends
 
 
 class Value(Foreign):
-    """What arrays and numbers have in common."""
+    """Base of arrays and of numbers."""
 
     __slots__ = ("arithmetic", "data")
     __array_ufunc__ = None  # numpy's own objects leave operators to us
@@ -101,12 +101,12 @@ class Value(Foreign):
 
     @property
     def size(self) -> int:
-        """How many numbers there are."""
+        """The number of elements."""
         return int(self.data.size)
 
     @property
     def ndim(self) -> int:
-        """How many dimensions there are."""
+        """The number of dimensions."""
         return int(self.data.ndim)
 
     @property
@@ -476,16 +476,15 @@ class Arithmetic:
             # They differ, but it depends on numpy's version whose type the answer has.
             return self.wrap(operation(mine.data, _OTHERS.get(kind, {})))
         x, y = self.operand(a), self.operand(b)
-        self._charge(name, getattr(x, "shape", ()), getattr(y, "shape", ()))
-        return self.run(operation, x, y)
-
-    def _charge(self, name: str, a: tuple[int, ...], b: tuple[int, ...]) -> None:
-        if not a and not b:
+        left = getattr(x, "shape", ())
+        right = getattr(y, "shape", ())
+        if not left and not right:
             self.guards.charge(_OPERATION)
         elif name in ("matmul", "imatmul"):
-            self.charge_product(a, b, is_dot=False)
+            self.charge_product(left, right, is_dot=False)
         else:
-            self.charge(broadcast(a, b), 4 if name in ("pow", "ipow") else 1)
+            self.charge(broadcast(left, right), 4 if name in ("pow", "ipow") else 1)
+        return self.run(operation, x, y)
 
     # --- items ---
 

@@ -1,4 +1,4 @@
-"""What safe mode refuses, and how much it lets a file use: the error and the limits."""
+"""Refusals of safe mode, and limits on what a file may use there."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def refused(
 
 
 class SafeLimits(Limits):
-    """How much the code of one conversion may use; each can be set."""
+    """Limits on the code of one conversion; each can be set."""
 
     __slots__ = ()
 

@@ -1,4 +1,4 @@
-"""The values that safe code meets, and what handling them costs.
+"""The values that safe code meets, and the cost of handling them.
 
 Code in safe mode never holds an object whose operators, iteration or text run code of a file, nor a
 generator, a code object, a frame or a module. What it holds is of the exact types listed here; all

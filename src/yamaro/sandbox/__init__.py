@@ -1,1 +1,1 @@
-"""Deadlines, the jail, and what comes back from it."""
+"""Deadlines, the jail, and its answers."""

@@ -1,4 +1,4 @@
-"""The process itself: how much memory it may take, when it ends, how often garbage is collected.
+"""The process itself: its memory, its end, and how often garbage is collected.
 
 A conversion ends itself when its time is over. But while Python is in a long call of a function
 written in C, such as `sum(range(10**12))`, nothing else in the process runs. So another process

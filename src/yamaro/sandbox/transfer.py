@@ -199,8 +199,11 @@ def from_bytes(data: bytes, limits: Limits | None = None, *, texts: Container[st
         messages, sources, frames, diagnostics, document, files, meshes, *rest = unpack(data)
         nodes, notes, documents, noted = rest
         unpacker = _Unpacker(unpack(sources), unpack(frames))
+        printed = _read_texts(messages)
+        if sum(map(len, printed)) + len(printed) > 2 * (limits.printed + 1):
+            raise ValueError("more is printed than may be")
         outcome = Outcome(
-            messages=_read_messages(messages, limits),
+            messages=printed,
             diagnostics=[unpacker.diagnostic(each) for each in unpack(diagnostics)],
             files=[_read_file(each) for each in unpack(files)],
             meshes=[_read_name(each) for each in unpack(meshes)],
@@ -210,23 +213,18 @@ def from_bytes(data: bytes, limits: Limits | None = None, *, texts: Container[st
             noted=[unpacker.reading(each) for each in unpack(noted)],
         )
         if (document or nodes) and not outcome.has_errors:
-            outcome.pieces = [_read_document(document, outcome.root, limits)]
+            if outcome.root is None:
+                text = document.decode()
+            else:
+                try:
+                    text = "".join(write_pieces(outcome.root, limits))
+                except YamaroError as error:
+                    raise ValueError(error.diagnostics[0].message) from None
+            check_document(text, limits)
+            outcome.pieces = [text]
         return outcome
     except (ValueError, IndexError) as error:
         raise JailAnswerBroken(f"its answer is malformed: {error}") from None
-
-
-def _read_document(data: bytes, root: Element | None, limits: Limits) -> str:
-    """Return the document: that of the tree if there is one, so that the two are the same."""
-    if root is None:
-        text = data.decode()
-    else:
-        try:
-            text = "".join(write_pieces(root, limits))
-        except YamaroError as error:
-            raise ValueError(error.diagnostics[0].message) from None
-    check_document(text, limits)
-    return text
 
 
 def _text(text: str) -> bytes:
@@ -243,14 +241,6 @@ def _read_text(data: bytes) -> str:
 
 def _read_texts(data: bytes) -> list[str]:
     return [_read_text(each) for each in unpack(data)]
-
-
-def _read_messages(data: bytes, limits: Limits) -> list[str]:
-    """Return what was printed, by both ways of printing: each has the limit for itself."""
-    messages = _read_texts(data)
-    if sum(map(len, messages)) + len(messages) > 2 * (limits.printed + 1):
-        raise ValueError("more is printed than may be")
-    return messages
 
 
 def _read_code(data: bytes) -> str:

@@ -14,7 +14,7 @@ from ..syntax.powers import compile_bounded
 from ..yaml.reader import UNITS
 from .faults import Fault, add_trace
 from .places import XacroPlace
-from .scope import Lazy, Names, Scope
+from .scope import Lazy, PredefinedNames, Scope
 from .templates import Expression, Substitution, Template, guess_value, parse_template, substitute
 
 TYPE_CHECKING = False
@@ -467,7 +467,11 @@ def predefined(actions: Actions) -> dict[str, Any]:
         names[name] = _deprecated(python[name], name, f"python.{name}", actions)
     for name in ("load_yaml", "abs_filename", "dotify"):
         names[name] = _deprecated(own[name], name, f"xacro.{name}", actions)
-    names.update(math=Names(mathematics), python=Names(python), xacro=Names(own))
+    names.update(
+        math=PredefinedNames(mathematics),
+        python=PredefinedNames(python),
+        xacro=PredefinedNames(own),
+    )
     return names
 
 

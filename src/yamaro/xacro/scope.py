@@ -155,7 +155,7 @@ class Namespace(Scope):
         return attribute(self, name)
 
 
-class Names(dict[str, "Any"]):
+class PredefinedNames(dict[str, "Any"]):
     """Names that are predefined under one name: math, python, xacro."""
 
     __slots__ = ()

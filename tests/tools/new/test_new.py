@@ -14,8 +14,8 @@ import yaml
 from tests.waiting import PATIENCE
 from yamaro import __version__, output
 from yamaro.commands.main import main
-from yamaro.tools.new import files as picture
-from yamaro.tools.new.files import fault_of_name, files_of
+from yamaro.tools.new import package as picture
+from yamaro.tools.new.package import fault_of_name, files_of
 
 FILES = {
     ".github/workflows/robot.yml",

@@ -23,7 +23,7 @@ import yaml
 import yamaro
 from tests.consumers.oracles import require_module, require_program
 from tests.waiting import PATIENCE
-from yamaro.tools.new.files import files_of
+from yamaro.tools.new.package import files_of
 
 NAME = "rover"
 NODES = {

@@ -20,9 +20,9 @@ from yamaro.options import Options
 from yamaro.policy import SAFE, TRUSTED, Policy
 from yamaro.rebuilding import Rebuilder
 from yamaro.tools.view import server as serving
-from yamaro.tools.view.command import Editor
 from yamaro.tools.view.server import Server
 from yamaro.tools.view.session import Session
+from yamaro.tools.view.viewing import Editor
 
 ROBOT = """\
 robot: one

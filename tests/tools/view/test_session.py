@@ -18,12 +18,11 @@ from yamaro.files.readable import Reach
 from yamaro.options import Options
 from yamaro.policy import SAFE, Policy
 from yamaro.rebuilding import Rebuilder
-from yamaro.tools.view import command
-from yamaro.tools.view.command import find_editor
 from yamaro.tools.view.description import Description
 from yamaro.tools.view.mesh_files import MeshFiles
 from yamaro.tools.view.session import Session
 from yamaro.tools.view.variables import WrongValue, read_variable_fields
+from yamaro.tools.view.viewing import find_editor, open_browser
 
 
 def described(folder: Path, text: str, **files: str) -> Any:
@@ -456,5 +455,5 @@ def test_where_no_browser_opens_the_address_is_left(
 
     monkeypatch.setattr(webbrowser, "open", open_page)
     said: list[str] = []
-    command.open_browser("http://127.0.0.1:1/", said.append)
+    open_browser("http://127.0.0.1:1/", said.append)
     assert (said == []) is (outcome is True)

@@ -230,7 +230,7 @@ class DiffText:
             lines.append(begin)
             begin = "     "
         for row in rows:
-            places = {self._place_of(change) for change in row.changes}
+            places = {self._where_written(change) for change in row.changes}
             place = places.pop() if len(places) == 1 else ""
             parts = [begin + ("  " if begin.strip() and row.text else " ") + shortened(row.text)]
             if place:
@@ -349,7 +349,7 @@ class DiffText:
                 lines.append(f"centre of mass: moved {length_text(distance)}")
         return [*lines, motion_text(self._changes)]
 
-    def _place_of(self, change: Change) -> str:
+    def _where_written(self, change: Change) -> str:
         """Return where a change is written: lines of the files compared, or of other files."""
         places = []
         for span, main in zip((change.first, change.second), self._mains, strict=True):

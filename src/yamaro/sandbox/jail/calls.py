@@ -1,4 +1,4 @@
-"""System calls: how to make them, their numbers, and which a jailed process may make."""
+"""System calls: making them, their numbers, and those that a jailed process may make."""
 
 from __future__ import annotations
 

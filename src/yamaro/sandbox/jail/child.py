@@ -43,7 +43,7 @@ _DEFAULT, _IGNORE = 0, 1  # SIG_DFL, SIG_IGN
 
 
 class Cell:
-    """What the child needs to know to confine itself."""
+    """The values by which the child confines itself."""
 
     __slots__ = ("environment", "limits", "parent", "program", "ruleset", "writer")
 

@@ -27,7 +27,7 @@ _SCOPES = 0b11  # abstract sockets and signals, since version 6
 
 
 class Ruleset:
-    """What Landlock is to allow: to read what lies below some paths."""
+    """A ruleset of Landlock: files below some paths may be read."""
 
     def __init__(self, readable: Sequence[str]) -> None:
         self._readable = readable

@@ -1,4 +1,4 @@
-"""What the parent and child of a jail agree on: limits, errors, surroundings, and messages.
+"""The agreement of the parent and child of a jail: limits, errors, surroundings, and messages.
 
 Until it has said READY none but our own code runs in the child; what comes later may be lies.
 """
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class JailLimits:
-    """What the work may use before it is ended."""
+    """Limits on the work; beyond them it is ended."""
 
     __slots__ = (
         "answer", "cpu_seconds", "is_abandoned", "memory", "open_files", "seconds", "threads",

@@ -47,7 +47,7 @@ def add_bodies(writing: Writing) -> None:
 
 def _add_body(writing: Writing, link: Link) -> None:
     """Append the body of a link, with its inertia and joint, to the body that it is in."""
-    parent, pose = writing.plan.place_of(link)
+    parent, pose = writing.plan.parent_and_pose(link)
     name = writing.body_name(link.name)
     if name != link.name:
         writing.losses.rename("links", link, new=name)

@@ -107,7 +107,7 @@ class Plan:
         """Return whether a joint lets a link go in the world: MJCF has it nowhere else."""
         return joint.type == FLOATING and joint.parent in self.static
 
-    def place_of(self, link: Link) -> tuple[str | None, Pose]:
+    def parent_and_pose(self, link: Link) -> tuple[str | None, Pose]:
         """Return the link whose body the body of a link is in, and its pose there.
 
         None is for the world.

@@ -35,7 +35,7 @@ from .contexts import (
     XML,
     Cursor,
     cursor_at,
-    place_of,
+    place_below,
     word_of,
 )
 
@@ -399,7 +399,7 @@ class Completion:
         is_key = self._is_at_key(before[: len(before) - len(typed)])
         cursor = run_on_deep_stack(lambda: self._read(typed, is_key=is_key))
         if is_key:
-            self._keys(place_of(cursor.keys), cursor)
+            self._keys(place_below(cursor.keys), cursor)
         if not (is_key and cursor.scalar is not None and cursor.is_key):
             self._values(cursor)  # for keys too if nothing is there yet, or the text is faulty
 
@@ -521,7 +521,7 @@ class Completion:
         if not cursor.keys:
             return
         words = cursor.words()
-        key, place = words[-1], place_of(cursor.keys[:-1])
+        key, place = words[-1], place_below(cursor.keys[:-1])
         if (key in _PYTHON_KEYS and place.name in ("if", "for")) or key == "process":
             self._names(self._line)
         else:
@@ -626,7 +626,7 @@ def _call_at(text: Text, offset: int) -> tuple[str, int, str]:
         return key, len(pieces), name.strip() if sign else ""
     cursor = cursor_at(text.root, offset)
     for depth in range(len(cursor.keys), 0, -1):
-        place = place_of(cursor.keys[:depth])
+        place = place_below(cursor.keys[:depth])
         if place.name == "call":
             inner = cursor.keys[depth:]
             scalar = cursor.scalar

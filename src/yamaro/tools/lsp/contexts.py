@@ -174,7 +174,7 @@ class Place:
         self.element = ""
 
 
-def place_of(keys: Sequence[ScalarNode]) -> Place:
+def place_below(keys: Sequence[ScalarNode]) -> Place:
     """Return the place below some keys, the outermost first."""
     place, content = Place(ROOT), ROOT
     for key in keys:

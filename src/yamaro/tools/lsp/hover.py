@@ -7,7 +7,7 @@ from ...syntax.argument_section import ArgumentEntry
 from ...syntax.nodes import Constant, FunctionNode, Parameter, VariableEntry
 from ...yaml.nodes import ScalarNode
 from .bindings import Place, Program
-from .contexts import PREDEFINED, VALUES, about, cursor_at, place_of, word_of
+from .contexts import PREDEFINED, VALUES, about, cursor_at, place_below, word_of
 from .parts import links_of, part_lines
 from .protocol import offset_at
 
@@ -138,7 +138,7 @@ def _of_word(
         return _of_value(workspace, text, scalar, cursor.keys)
     word = word_of(scalar.text)
     lines = []
-    known = about(place_of(cursor.keys).name, word)
+    known = about(place_below(cursor.keys).name, word)
     if known is not None:
         lines.append(f"**{word}**: {known}")
     if word == "part":
@@ -160,7 +160,7 @@ def _of_value(
         if written and list(written) != [scalar.text]:
             lines.append(f"in the output: {_listed(written)}")
     key = word_of(keys[-1].text) if keys else ""
-    place = place_of(keys[:-1]).name
+    place = place_below(keys[:-1]).name
     if not lines and "$" not in scalar.text and scalar.text in VALUES.get((place, key), ()):
         lines.append(f"**{key}**: {about(place, key)}")
     return lines, scalar.span()

@@ -320,7 +320,7 @@ PART_KEYS = frozenset().union(
 """Names that mean something in a part, or are reported there as misplaced."""
 
 
-class Names:
+class ShortNames:
     """The names that parts may be called by in place of their links and joints."""
 
     __slots__ = ("joints", "links", "of_joints", "of_links")
@@ -357,7 +357,7 @@ class PartWriter:
     def __init__(
         self,
         elements: ElementWriter,
-        names: Names,
+        names: ShortNames,
         material: Callable[[Element], Entry | None],
         *,
         resolves: bool = False,

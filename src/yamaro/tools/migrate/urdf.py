@@ -33,7 +33,7 @@ from .elements import (
     spelled,
     tidy_text,
 )
-from .parts import Frames, Names, NoPart, PartWriter, is_short_material, material_entry
+from .parts import Frames, NoPart, PartWriter, ShortNames, is_short_material, material_entry
 from .writing import write_document
 
 TYPE_CHECKING = False
@@ -229,7 +229,7 @@ class _Model:
         self._root = root
         self._elements = elements
         self._plain = plain
-        self._names = Names(root.elements())
+        self._names = ShortNames(root.elements())
         self._parts = PartWriter(elements, self._names, variables.material, exact=exact)
         self._frames = Frames()
 

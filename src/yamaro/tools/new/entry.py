@@ -42,7 +42,7 @@ the README has no picture yet: pip install 'yamaro[picture]', then
 def run(arguments: Arguments, streams: Streams) -> int:
     """Make the folder; return the exit status."""
     from ...output import write_folder
-    from .files import PICTURE, fault_of_name, files_of, main_file, picture_of
+    from .package import PICTURE, fault_of_name, files_of, main_file, picture_of
 
     (folder,) = arguments.words
     path = os.path.abspath(folder)

@@ -1,1 +1,1 @@
-"""Sweeps: builds many variants of a robot, and keeps a table of what they are."""
+"""Sweeps: many variants of a robot, and a table of them."""

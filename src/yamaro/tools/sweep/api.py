@@ -3,24 +3,18 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any
 
 from ...options import Options, UsageError
 from ...policy import Policy
 from ...source import Public
 from .builder import write_index
-from .folder import SweepFolder, kept_models, show
-from .running import chunk_size, engine_of, run_plan
+from .folder import KeptModel, Shown, SweepFolder, kept_models, show
+from .plan import Plan
+from .running import Engine, Status, chunk_size, engine_of, run_plan
 from .study import Study, Written, planned, read_study
 from .table import CSV, PARQUET, Summary, has_parquet, read_columns
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Mapping, Sequence
-    from typing import Any
-
-    from .folder import KeptModel, Shown
-    from .plan import Plan
-    from .running import Engine, Status
 
 
 class Sweep(Public):

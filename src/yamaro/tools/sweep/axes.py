@@ -11,7 +11,9 @@ in the last ones: so all machines of a cluster agree.
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping, Sequence
 
+from ...declared_arguments import Declared
 from ...diagnostics import InputFault, did_you_mean
 from ...syntax.argument_section import (
     ANY,
@@ -25,12 +27,6 @@ from ...syntax.argument_section import (
     checked,
     quantity,
 )
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
-
-    from ...declared_arguments import Declared
 
 MOST_VALUES = 1 << 40
 """The most values that one axis may have."""

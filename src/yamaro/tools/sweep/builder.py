@@ -1,4 +1,4 @@
-"""Builds and evaluates variants, one after another: what the process of a worker does."""
+"""Builds and evaluates variants, one after another, in the process of a worker."""
 
 from __future__ import annotations
 
@@ -6,26 +6,20 @@ import io
 import json
 import os
 import tarfile
+from collections.abc import Iterator, Mapping, Sequence
 from hashlib import sha256
+from typing import Any
 
 from ...diagnostics import YamaroError
 from ...files.regular import open_regular
 from ...model.kinematics import base_of
+from ...model.robot import Robot
+from ...options import Options
 from ...output import write_file
 from ...program import Program
-from .plan import USD, Space
+from ...result import Build
+from .plan import USD, Plan, Space
 from .table import ENDED, FAULT, OK, OUT_OF_MEMORY, REJECTED, TOPOLOGY, Row, first_error, parts_of
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping, Sequence
-    from typing import Any
-
-    from ...model.robot import Robot
-    from ...options import Options
-    from ...result import Build
-    from .plan import Plan
-    from .table import Row
 
 
 class Variant:

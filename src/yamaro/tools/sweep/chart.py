@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+from collections.abc import Mapping
 from typing import Any
 
 import matplotlib as mpl
@@ -13,17 +14,13 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
-from .plot import BEST, MEDIAN, NO_VALUE, WORST
+from .plot import BEST, MEDIAN, NO_VALUE, WORST, Column, Plotted
 from .table import FAILED, OK, REJECTED
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-
     from matplotlib.axes import Axes
     from numpy.typing import NDArray
-
-    from .plot import Column, Plotted
 
     Floats = NDArray[np.floating[Any]]
     Image = NDArray[np.uint8]

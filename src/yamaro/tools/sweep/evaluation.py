@@ -1,10 +1,13 @@
-"""What is worked out for each variant: metrics, and the results of a function of the user's."""
+"""Evaluation of variants: metrics, and the results of a function of the user's."""
 
 from __future__ import annotations
 
 import os
+from collections.abc import Callable, Sequence
 from inspect import Parameter, signature
 from math import isfinite
+from types import ModuleType
+from typing import Any
 
 from ...diagnostics import Frame, YamaroError, did_you_mean, failure
 from ...files.regular import open_regular
@@ -12,18 +15,10 @@ from ...runtime.modules import LocalModules
 from ...source import Source, Span
 from ...targets.table import TARGETS
 from ...terminal import shortened
+from .builder import Variant
 from .metrics import FORMAT, Metric, compiled, metrics_of, span_of_word
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
-    from types import ModuleType
-    from typing import Any
-
-    from ...source import Span
-    from .builder import Variant
-
-    Number = float | int | bool
+Number = float | int | bool
 
 
 TEXTS = tuple(each.name for each in TARGETS.values() if not each.is_folder)
@@ -254,7 +249,7 @@ def _argument(name: str, variant: Variant) -> object:
 
 
 class Evaluation:
-    """What is worked out for each variant.
+    """The evaluation of each variant.
 
     Results depend on the variant alone. It can be sent to other processes.
 

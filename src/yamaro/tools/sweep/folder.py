@@ -1,4 +1,4 @@
-"""The folder of a sweep: what it was planned as, which chunks are done, and the models it keeps.
+"""The folder of a sweep: its plan, the chunks that are done, and the models it keeps.
 
 A chunk is done when the file of its part of the table is there, which is written whole and then
 renamed. So a sweep that was killed goes on from there.
@@ -9,25 +9,20 @@ from __future__ import annotations
 import json
 import os
 import tarfile
+from collections.abc import Iterator
+from typing import Any
 
 from ...diagnostics import YamaroError, failure_of_all
 from ...files.regular import open_regular
 from ...options import Options, UsageError
 from ...output import write_file
+from ...policy import Policy
+from ...result import Build
 from ...source import Public
 from .builder import ASSETS, MODELS, Builder, ends_of, file_hash, missing_assets, shard_name
 from .plan import Condition, Plan, Space, axis_of, data_of, units_of
 from .table import FOLDER, part_name, part_paths
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-    from typing import Any
-
-    from ...policy import Policy
-    from ...result import Build
-    from .plan import Plan
-    from .worker import Chunk
+from .worker import Chunk
 
 STUDY = "study.json"
 LOCK = ".lock"

@@ -1,4 +1,4 @@
-"""Where the tips of a robot get to, and how much room it takes: reach, workspace, bounding box.
+"""Reach and workspace of the tips of a robot, and its bounding box.
 
 Chains of joints from the root to a point are evaluated for many positions at once with numpy.
 """
@@ -6,6 +6,7 @@ Chains of joints from the root to a point are evaluated for many positions at on
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from functools import cache
 from math import hypot, inf
 from typing import Any
@@ -13,25 +14,18 @@ from typing import Any
 import numpy as np
 
 from ...diagnostics import YamaroError, failure
-from ...model.joint import CONTINUOUS, PRISMATIC, REVOLUTE
+from ...files.mesh_files import MeshFinder
+from ...model.joint import CONTINUOUS, PRISMATIC, REVOLUTE, Joint
 from ...model.kinematics import link_poses
-from ...model.pose import IDENTITY, Pose
+from ...model.pose import IDENTITY, Pose, Vector
 from ...model.positions import home_positions
-from ...model.shapes import Box, Capsule, Cylinder, Mesh, Sphere
+from ...model.robot import Robot
+from ...model.shapes import Box, Capsule, Cylinder, Mesh, Shape, Sphere
+from ...source import Span
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-    from typing import Any
-
     from numpy.typing import NDArray
-
-    from ...files.mesh_files import MeshFinder
-    from ...model.joint import Joint
-    from ...model.pose import Pose, Vector
-    from ...model.robot import Robot
-    from ...model.shapes import Shape
-    from ...source import Span
 
     Floats = NDArray[np.floating[Any]]
 

@@ -5,23 +5,20 @@ Those of a simulation are worked out from the MJCF of the variant, compiled by M
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 from ...diagnostics import YamaroError, did_you_mean, failure, failure_of_all
+from ...result import Build
 from ...source import Source, Span
+from .builder import Variant
 from .geometry import bounding_box, metric_failure, named_link, reach, tips_of, workspace
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
-    from typing import Any
-
     from numpy.typing import NDArray
-
-    from ...result import Build
-    from .builder import Variant
 
     Number = float | int | bool
     Compute = Callable[[Variant, Sequence[str]], Sequence[Number]]
@@ -106,7 +103,7 @@ def hold(build: Build, seconds: float) -> Hold:
 
 
 class _Watch:
-    """What is compared with the start, from time to time."""
+    """The state that is compared with the start, from time to time."""
 
     def __init__(self, model: Any, data: Any, floor: int | None) -> None:
         """Note how a simulation starts.

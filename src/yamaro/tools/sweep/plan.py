@@ -1,4 +1,4 @@
-"""Plans: all that decides what variant i of a sweep is. A plan goes to every worker.
+"""Plans: all that determines variant i of a sweep. A plan goes to every worker.
 
 Each point of the unit cube, or of the grid, is worked out from its number alone.
 """
@@ -7,9 +7,12 @@ from __future__ import annotations
 
 import os
 import platform
+from collections.abc import Iterator, Mapping, Sequence
 from copy import copy
+from typing import Any
 
 from ...diagnostics import YamaroError, failure_of_all
+from ...options import Options
 from ...policy import SAFE, Policy
 from ...runtime.expressions import SafeEvaluator
 from ...runtime.files import rules_of
@@ -18,17 +21,12 @@ from ...runtime.scope import Home, Scope, SharedNames
 from ...safe.limits import SafeLimits
 from ...safe.runtime import SafeRuntime
 from ...source import COMMAND_LINE, Source
-from ...syntax.python import compile_expression
+from ...syntax.python import PythonCode, compile_expression
 from ...yaml.nodes import PLAIN, ScalarNode
 from .axes import Axis, Choices, Normal, Steps, Uniform
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping, Sequence
-    from typing import Any
-
-    from ...options import Options
-    from ...syntax.python import PythonCode
     from .evaluation import Evaluation
 
 

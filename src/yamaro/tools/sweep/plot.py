@@ -3,23 +3,21 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping, Sequence
 from importlib.util import find_spec
+from typing import Any
 
 from ...diagnostics import did_you_mean, failure_of_all
 from ...options import UsageError
+from ...policy import Policy
 from ...terminal import shortened
 from .folder import read_plan_data, show
 from .table import FAILED, OK, OWN, REJECTED, read_columns, results_in
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
-    from typing import Any
-
     import numpy as np
     from numpy.typing import NDArray
-
-    from ...policy import Policy
 
     Image = NDArray[np.uint8]
 
@@ -91,7 +89,7 @@ def _text(value: object) -> str:
 
 
 class Plotted:
-    """What is plotted of a sweep.
+    """The contents of a plot: columns, rows, and variants that stand out.
 
     Attributes:
         counts: how many rows have which status, and how many that are ok have no value.

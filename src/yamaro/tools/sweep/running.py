@@ -6,6 +6,7 @@ An engine is where chunks are done: an executor of `concurrent.futures`.
 from __future__ import annotations
 
 import os
+from collections.abc import Callable, Iterator
 from concurrent.futures import (
     FIRST_COMPLETED,
     CancelledError,
@@ -15,24 +16,15 @@ from concurrent.futures import (
     wait,
 )
 from time import monotonic
+from typing import Any
 
 from ...diagnostics import YamaroError, failure_of_all
 from ...options import UsageError
-from .plan import import_extra
-from .worker import Child, ChildEnded, changed, run_chunk, stop
+from .folder import SweepFolder
+from .plan import Plan, import_extra
+from .worker import Child, ChildEnded, Chunk, changed, run_chunk, stop
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
-    from concurrent.futures import Future
-    from typing import Any
-
-    from ...diagnostics import YamaroError
-    from .folder import SweepFolder
-    from .plan import Plan
-    from .worker import Chunk
-
-    Progress = Callable[["Status"], None]
+Progress = Callable[["Status"], None]
 
 
 LOCAL, DASK, RAY = "local", "dask", "ray"
@@ -213,7 +205,7 @@ LOOKING_INTERVAL = 0.2
 
 
 class Status:
-    """How far a sweep is.
+    """The progress of a sweep.
 
     Attributes:
         samples: how many variants it has.

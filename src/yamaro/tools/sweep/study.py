@@ -1,10 +1,12 @@
-"""Studies: what is to be swept, as a file or the command line says it, and the plan of that."""
+"""Studies: sweeps as a file or the command line asks for them, and their plans."""
 
 from __future__ import annotations
 
 import os
+from collections.abc import Callable, Mapping, Sequence
+from typing import TypeVar
 
-from ...declared_arguments import ARGUMENTS, Declared, listing_of
+from ...declared_arguments import ARGUMENTS, Declared, Listing, listing_of
 from ...diagnostics import (
     Diagnostic,
     InputFault,
@@ -15,17 +17,18 @@ from ...diagnostics import (
     failure_of_all,
 )
 from ...files.loader import FileLoader, LoadError, decode
-from ...options import UsageError
+from ...options import Options, UsageError
+from ...policy import Limits, Policy
 from ...request import finder_for, reach_of, read_command_line, read_main, refusal_of_main
 from ...runtime.files import Library
 from ...runtime.predefined import plain_data
-from ...source import holds_xml
+from ...source import Source, Span, holds_xml
 from ...syntax.argument_section import PATH
 from ...syntax.context import ParseContext, Rules
 from ...syntax.values import parse_value
 from ...targets.table import TARGETS
 from ...terminal import shortened
-from ...yaml.nodes import PLAIN, MappingNode, ScalarNode, SequenceNode, is_null
+from ...yaml.nodes import PLAIN, MappingNode, ScalarNode, SequenceNode, YamlNode, is_null
 from ...yaml.reader import read
 from .axes import (
     Axis,
@@ -52,18 +55,7 @@ from .plan import (
 )
 from .running import cores
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
-    from typing import TypeVar
-
-    from ...declared_arguments import Listing
-    from ...options import Options
-    from ...policy import Limits, Policy
-    from ...source import Source, Span
-    from ...yaml.nodes import YamlNode
-
-    T = TypeVar("T")
+T = TypeVar("T")
 
 SWEEP = "sweep"
 """The root key of a study."""
@@ -91,7 +83,7 @@ class Written:
 
 
 class Study:
-    """What is to be swept.
+    """A sweep as it is asked for.
 
     Attributes:
         robot: the path of the robot's file.

@@ -9,21 +9,15 @@ import csv
 import io
 import json
 import os
+from collections.abc import Iterator, Mapping, Sequence
 from io import TextIOWrapper
+from typing import Any
 
+from ...diagnostics import Diagnostic
 from ...files.regular import open_regular
 from ...source import Public
 from ...syntax.argument_section import ANY, BOOLEAN, INTEGER, NUMBER, TEXT
-from .plan import import_extra
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping, Sequence
-    from typing import Any
-
-    from ...diagnostics import Diagnostic
-    from .plan import Plan
-
+from .plan import Plan, import_extra
 
 OK, REJECTED, FAILED = "ok", "rejected", "failed"
 STATUSES = (OK, REJECTED, FAILED)
@@ -34,7 +28,7 @@ FAULT = "internal-error"
 
 
 class Row:
-    """What is known of a variant in the end.
+    """The result of a variant.
 
     Attributes:
         index: its number.
@@ -328,7 +322,7 @@ class Group(Public):
 
 
 class Summary(Public):
-    """What a sweep came to.
+    """The result of a sweep.
 
     Attributes:
         counts: how many variants have which status.

@@ -15,22 +15,14 @@ import struct
 import subprocess
 import sys
 import threading
+from collections.abc import Iterator, Mapping
 from time import monotonic
+from typing import Any, BinaryIO
 
-from ...diagnostics import YamaroError, failure_of_all
+from ...diagnostics import Diagnostic, YamaroError, failure_of_all
 from .builder import Builder, packed
-from .plan import Space, versions_for
+from .plan import Plan, Space, versions_for
 from .table import CRASH, FAILED, OUT_OF_MEMORY, STATUSES, TIMEOUT, Columns, Row, encoded, row_types
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
-    from typing import Any, BinaryIO
-
-    from ...diagnostics import Diagnostic
-    from .plan import Plan
-    from .table import Row
-
 
 # --- the process in which variants are built --------------------------------------------------
 

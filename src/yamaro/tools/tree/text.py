@@ -2,25 +2,29 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from ...commands.summary import counted, mass_text
-from ...model.joint import CONTINUOUS, DEGREES_OF_FREEDOM, FLOATING, PRISMATIC, REVOLUTE
+from ...model.joint import (
+    CONTINUOUS,
+    DEGREES_OF_FREEDOM,
+    FLOATING,
+    PRISMATIC,
+    REVOLUTE,
+    Joint,
+    Limit,
+)
+from ...model.link import Link
+from ...model.robot import Robot
 from ...model.values import attribute_text, number_in, read_numbers
 from ...terminal import BOLD, CYAN, DIM, RED, painted, printable, width
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from ...model.joint import Joint, Limit
-    from ...model.link import Link
-    from ...model.robot import Robot
 
 MAX_INDENTED_DEPTH = 24
 MAX_ALIGNED_WIDTH = 64
 
 
 class Row:
-    """What the tree shows of a joint.
+    """A joint in the tree.
 
     Attributes:
         name, kind: the joint's name and type as written.

@@ -1,30 +1,24 @@
-"""A built robot as data for the page: its URDF, meshes, diagnostics, and where each was written."""
+"""A built robot as data for the page: URDF, meshes, diagnostics, and the place of each."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable, Mapping, Sequence
 from math import isfinite
 
-from ...diagnostics import ERROR, WARNING, Diagnostic, YamaroError
-from ...model.link import Visual
+from ...diagnostics import ERROR, WARNING, Diagnostic, Frame, YamaroError
+from ...model.joint import Joint
+from ...model.link import Collision, Link, Visual
+from ...model.robot import Robot
 from ...model.shapes import Mesh
 from ...model.values import attribute_text
 from ...rendering import render, trace_lines
+from ...result import Build
+from ...source import Span
+from ...xml.tree import Element
+from .mesh_files import MeshFiles
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping, Sequence
-
-    from ...diagnostics import Diagnostic, Frame
-    from ...model.joint import Joint
-    from ...model.link import Collision, Link
-    from ...model.robot import Robot
-    from ...result import Build
-    from ...source import Span
-    from ...xml.tree import Element
-    from .mesh_files import MeshFiles
-
-    Json = dict[str, object]
+Json = dict[str, object]
 
 
 # --- places -----------------------------------------------------------------------------------

@@ -71,7 +71,7 @@ def run(arguments: Arguments, streams: Streams) -> int:
 
 
 def _view(arguments: Arguments, streams: Streams, rebuilder: Rebuilder) -> None:
-    from .command import ViewOptions, view
+    from .viewing import ViewOptions, view
 
     port = arguments.options.get("port", "0")
     if not (port.isascii() and port.isdigit() and int(port) <= 65535):

@@ -1,4 +1,4 @@
-"""The files that the page may fetch: the meshes and textures of a robot, and what these refer to.
+"""The files that the page may fetch: meshes and textures of a robot, and companions of these.
 
 The page asks for them by keys made here, never by a path. A mesh names its textures and its
 buffers itself, and may be untrusted: so such a file counts only if its bytes are of a kind that
@@ -9,8 +9,11 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Iterable, Sequence
 from hashlib import blake2b
 
+from ...confined import Reader
+from ...files.readable import Reach
 from ...files.regular import read_start
 from ...meshes.bounds import (
     LARGEST_MATERIALS,
@@ -39,13 +42,6 @@ from ...meshes.formats import (
 )
 from ...sandbox.jail.protocol import JailError, pack, unpack
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
-
-    from ...confined import Reader
-    from ...files.readable import Reach
-
 MATERIALS, BUFFER = "mtl", "bin"
 CONTENT_TYPES = {
     STL: "model/stl",
@@ -70,7 +66,7 @@ MOST_REFUSED = 8
 
 
 class Contents:
-    """What a mesh or texture is, as its bytes say.
+    """The type of a mesh or texture, by its bytes.
 
     Attributes:
         kind: its format; "" if it has none that the page can show.
@@ -89,7 +85,7 @@ class Contents:
 
 
 class Library:
-    """What files are, each looked up once for as long as it stays as it is."""
+    """The contents of files, each looked up once for as long as it stays as it is."""
 
     def __init__(self, reader: Reader | None, reach: Reach | None) -> None:
         """Begin; `reader` may be None for files that are trusted."""

@@ -12,33 +12,27 @@ import gzip
 import html
 import json
 import os
+from collections.abc import Iterator
 
 from ...confined import Reader
 from ...diagnostics import YamaroError
 from ...files.mesh_files import MeshFinder
 from ...files.regular import open_regular
 from ...model.joint import FIXED
-from ...model.link import Visual
+from ...model.link import Collision, Visual
+from ...model.robot import Robot
 from ...model.shapes import Mesh
 from ...model.values import attribute_text
 from ...policy import SAFE, Policy
 from ...request import finder_for, reach_of
 from ...result import Build
-from ...xml.tree import unshared
+from ...xml.tree import Element, unshared
 from ...xml.writer import write
 from .. import view
 from .description import finite_positions
 from .mesh_files import Library, MeshFiles
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from ...model.link import Collision, Visual
-    from ...model.robot import Robot
-    from ...xml.tree import Element
-
-    Json = dict[str, object]
+Json = dict[str, object]
 
 MOST_CHARACTERS = 8_000_000
 """Of a page, which the file of the notebook holds as long as it has that output."""
@@ -61,7 +55,12 @@ def _html_of(result: Build | Robot) -> str:
         try:
             robot = result.robot
         except (YamaroError, ValueError):  # another document, or its tree stayed in a jail
-            return _text(result.xml())
+            text = result.xml()
+            shown = html.escape(text[:MOST_TEXT])
+            style = f"max-height: {HEIGHT}px; overflow: auto; white-space: pre; margin: 0"
+            more = len(text) - MOST_TEXT
+            note = _note(f"{more:,} more characters are not shown.") if more > 0 else ""
+            return f'<pre style="{style}">{shown}</pre>{note}'
     else:
         robot = result
     page = _page(robot)
@@ -95,15 +94,6 @@ def _static(name: str) -> str:
     path = os.path.join(os.path.dirname(view.__file__), "static", name)
     with open(path, encoding="utf-8") as file:
         return file.read()
-
-
-def _text(text: str) -> str:
-    """Return a document that is not a robot, as text."""
-    shown = html.escape(text[:MOST_TEXT])
-    style = f"max-height: {HEIGHT}px; overflow: auto; white-space: pre; margin: 0"
-    more = len(text) - MOST_TEXT
-    note = _note(f"{more:,} more characters are not shown.") if more > 0 else ""
-    return f'<pre style="{style}">{shown}</pre>{note}'
 
 
 def _note(text: str) -> str:

@@ -16,21 +16,19 @@ import socket
 import sys
 import threading
 import time
+from collections.abc import Callable, Iterable, Mapping
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from socketserver import TCPServer
+from typing import Any
 from urllib.parse import quote
 
-from .session import FORMATS
+from .session import FORMATS, Session
 from .variables import WrongValue
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Mapping
-    from typing import Any
-
-    from .command import Editor
-    from .session import Session
+    from .viewing import Editor
 
 HOST = "127.0.0.1"
 MOST_CONNECTIONS = 64

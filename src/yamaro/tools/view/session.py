@@ -8,6 +8,8 @@ import os
 import secrets
 import threading
 import zipfile
+from collections.abc import Mapping
+from io import BufferedReader
 
 from ...allowances import set_aside
 from ...confined import FaultInJail, Reader
@@ -15,7 +17,9 @@ from ...diagnostics import ERROR, YamaroError
 from ...files.loader import FileLoader, LoadError, decode
 from ...files.regular import open_regular
 from ...options import UsageError
+from ...rebuilding import Rebuilder, Turn
 from ...request import finder_for, reach_of, read_command_line
+from ...result import Build
 from ...source import Source, holds_xml
 from ...targets.losses import diagnostics_of
 from ...targets.output import marked
@@ -32,11 +36,6 @@ from .variables import (
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-    from io import BufferedReader
-
-    from ...rebuilding import Rebuilder, Turn
-    from ...result import Build
     from .variables import Value
 
     Json = dict[str, object]

@@ -5,8 +5,10 @@ from __future__ import annotations
 import math
 import os
 import re
+from collections.abc import Collection, Iterable, Mapping
 
 from ...declared_arguments import (
+    Declared,
     declared_names,
     declared_of,
     variables_of,
@@ -16,7 +18,7 @@ from ...diagnostics import InputFault, YamaroError
 from ...files.loader import LoadError, MemoryLoader, decode
 from ...files.packages import PackageFinder
 from ...policy import Limits
-from ...source import Source, Span, holds_xml
+from ...source import Reading, Source, Span, holds_xml
 from ...syntax.argument_section import (
     ANY,
     BOOLEAN,
@@ -30,15 +32,11 @@ from ...syntax.argument_section import (
 )
 from ...syntax.names import python_name
 from ...yaml.nodes import type_plain
+from .description import Places
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Collection, Iterable, Mapping
-
-    from ...declared_arguments import Declared
     from ...files.loader import Loader
-    from ...source import Reading, Span
-    from .description import Places
 
     Value = bool | int | float | str
     Json = dict[str, object]

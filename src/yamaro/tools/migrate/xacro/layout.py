@@ -79,7 +79,7 @@ class Layout:
                 if name in plan.wanted or ALL in plan.wanted:
                     self.brought[path] = ASKED
         # bring along the files of other packages that cannot be included alone
-        names = {own: _Names(self._program, own) for own in self._program.roots}
+        names = {own: _NamesUsed(self._program, own) for own in self._program.roots}
         is_new = True
         while is_new:
             is_new = False
@@ -186,7 +186,7 @@ class Layout:
 
     # --- what has to come along -----------------------------------------------------------------
 
-    def _why_coupled(self, include: Element, path: str, names: dict[str, _Names]) -> str:
+    def _why_coupled(self, include: Element, path: str, names: dict[str, _NamesUsed]) -> str:
         """Return why a file cannot be included as it is where it is; "" if it can."""
         filename = format_value(include.attributes["filename"])
         if "ns" in include.attributes:
@@ -194,8 +194,8 @@ class Layout:
         if computed_name(filename) is not None and not filename.startswith("$(find "):
             return "the name of the file is computed"
         inside = self._reached_from(path)
-        within = _Names.of(names[own] for own in inside)
-        without = _Names.of(own for other, own in names.items() if other not in inside)
+        within = _NamesUsed.of(names[own] for own in inside)
+        without = _NamesUsed.of(own for other, own in names.items() if other not in inside)
         around = without.defined
         if id(include) in self._in_macros:
             around = around | without.parameters
@@ -229,7 +229,7 @@ class Layout:
                 return f"its argument '{name}' is read by others"
         return ""
 
-    def _borrow(self, name: str, path: str, inside: set[str], without: _Names) -> bool:
+    def _borrow(self, name: str, path: str, inside: set[str], without: _NamesUsed) -> bool:
         """Return whether a macro of a file can be called where it is, and remember that."""
         defined = [own for own in self._program.definitions.values() if own.name == name]
         others = [root for own, root in self._program.roots.items() if own not in inside]
@@ -260,7 +260,7 @@ class Layout:
     def arguments_of(self, path: str) -> list[str]:
         """Return the arguments that a file reads which stays as it is, and those it includes."""
         inside = self._reached_from(path)
-        found = _Names.of(_Names(self._program, own) for own in inside)
+        found = _NamesUsed.of(_NamesUsed(self._program, own) for own in inside)
         return [name for name in self._program.arguments if name in found.arguments]
 
 
@@ -277,7 +277,7 @@ _SETS = (
 )
 
 
-class _Names:
+class _NamesUsed:
     """The names that files define and use.
 
     Attributes:
@@ -331,7 +331,7 @@ class _Names:
             self._find_inserted(element, blocks)
 
     @classmethod
-    def of(cls, several: Iterable[_Names]) -> _Names:
+    def of(cls, several: Iterable[_NamesUsed]) -> _NamesUsed:
         """Return the names of several files together."""
         joined = cls.__new__(cls)
         known = list(several)

@@ -22,9 +22,9 @@ from ..parts import (
     PART_KEYS,
     SECTIONS,
     Geometry,
-    Names,
     NoPart,
     PartWriter,
+    ShortNames,
     are_numbers,
     is_short_material,
     material_entry,
@@ -215,7 +215,7 @@ class XacroPartWriter(PartWriter):
         elements = _PartElements(host, self._originals)
         super().__init__(
             elements,
-            Names([]),
+            ShortNames([]),
             material_entry,
             resolves=True,
             exact=host.program.exact,

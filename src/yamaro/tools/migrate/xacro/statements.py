@@ -188,7 +188,7 @@ def write_property(writer: FileWriter, node: Element, body: Body) -> None:
     if not is_identifier(name):
         raise CannotMigrate(f"the name of the property '{name}' is computed, or no name")
     if "value" not in given and "default" not in given:
-        with writer.within(place_of_block(writer, None, name), holder=(None, name)):
+        with writer.within(writer_of_block(writer, None, name), holder=(None, name)):
             function = Body([Entry("body", writer.body(node.children))])
         reach = writer.scope_of(name)
         writer.functions.note(body.remark)
@@ -575,7 +575,7 @@ def _add_blocks(writer: FileWriter, node: Element, macro: Macro, arguments: Body
         if is_content and is_statement(child):
             raise CannotMigrate(f"the block '{block}' of '{macro.name}' is computed")
         own = block.lstrip("*")
-        place = place_of_block(writer, macro, own)
+        place = writer_of_block(writer, macro, own)
         with writer.within(
             place, is_in_element=writer.here.is_in_element, holder=(macro.name, own)
         ):
@@ -613,7 +613,7 @@ def _add_chosen(writer: FileWriter, macro: Macro, node: Element, arguments: Body
         if block.startswith("**"):
             content = [inner for each in row for inner in _inside(each, block, macro)]
         with writer.within(
-            place_of_block(writer, macro, own),
+            writer_of_block(writer, macro, own),
             is_in_element=writer.here.is_in_element,
             holder=(macro.name, own),
         ):
@@ -664,7 +664,7 @@ def block_name(writer: FileWriter, name: str) -> str:
     return f"{stem}Block" if stem in taken else stem
 
 
-def place_of_block(writer: FileWriter, macro: Macro | None, name: str) -> Write | None:
+def writer_of_block(writer: FileWriter, macro: Macro | None, name: str) -> Write | None:
     """Return what writes the elements of a block."""
     is_in_part = writer.contents.may_block_be_in_part(macro, name)
     return writer.write_for_parts if is_in_part else None

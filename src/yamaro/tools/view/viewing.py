@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 class ViewOptions:
-    """What the command line asks of `yamaro view`."""
+    """Options of `yamaro view`."""
 
     __slots__ = ("editor", "has_browser", "is_embedded", "port")
 

@@ -6,6 +6,7 @@ import keyword
 import os
 import re
 import sys
+from collections.abc import Iterator
 
 from ... import __version__
 from ...api import build
@@ -15,10 +16,6 @@ from ...files.loader import MemoryLoader
 from ...picture.command import check_packages, draw
 from ...picture.request import Request
 from ...policy import Policy
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Iterator
 
 PICTURE = "picture.png"
 
@@ -82,7 +79,9 @@ def fault_of_name(name: str) -> str | None:
             "the names of ROS packages have lower-case letters, digits and single underscores, "
             "begin with a letter, and have at least two characters"
         )
-        near = _nearest(name)
+        spaced = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name)
+        near = re.sub(r"[^a-z0-9]+", "_", spaced.lower()).strip("_").lstrip("0123456789_")
+        near = near if len(near) > 1 and fault_of_name(near) is None else ""
         return f"{rule}; for example '{near}'" if near else rule
     if name in _TAKEN:
         return "Yamaro itself has that name"
@@ -91,13 +90,6 @@ def fault_of_name(name: str) -> str | None:
     if name in _MODULES:
         return f"Python has a module of that name; for example '{name}_robot'"
     return None
-
-
-def _nearest(name: str) -> str:
-    """Return a valid name like one that is not, or "" if there is none."""
-    spaced = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name)
-    near = re.sub(r"[^a-z0-9]+", "_", spaced.lower()).strip("_").lstrip("0123456789_")
-    return near if len(near) > 1 and fault_of_name(near) is None else ""
 
 
 # --- the picture of a new robot, if one can be drawn here -------------------------------------
