@@ -49,11 +49,12 @@ def expected_of(case: Path) -> Result:
     return Result(0 if xml.exists() else 1, read_expected(xml), read_expected(messages))
 
 
-def drawn_cases(*, of: int) -> list[Any]:
-    """Return the cases as parameters; only one of so many is not slow."""
+def drawn_cases(*, of: int, slow: int = 1) -> list[Any]:
+    """Return one of `slow` cases as parameters; only one of so many is not slow."""
     return [
         pytest.param(case, marks=[pytest.mark.slow] * (not is_drawn(case_id(case), of=of)))
         for case in find_cases()
+        if is_drawn(case_id(case), of=slow)
     ]
 
 
@@ -166,7 +167,7 @@ def test_safe_mode_gives_the_same_or_refuses(
 
 
 @pytest.mark.skipif(jail.check_available() is not None, reason="there is no jail here")
-@pytest.mark.parametrize("case", drawn_cases(of=40), ids=case_id)
+@pytest.mark.parametrize("case", drawn_cases(of=40, slow=8), ids=case_id)
 def test_what_comes_out_of_a_jail_is_the_same(case: Path, compile_case: Any) -> None:
     options = read_options(case)
     if options.get("command") or "--" in options.get("args", "") or "env" in options:

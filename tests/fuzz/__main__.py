@@ -1,9 +1,9 @@
-"""Feeds the targets for a while, and shows what came of it, and what they begin with reaches.
+"""Feeds the targets for a while, and shows what came of it.
 
     scripts/fuzz                              each target 15 seconds
     scripts/fuzz --seconds 600 reader keys    these targets, 10 minutes each
-    scripts/fuzz --seconds 0                  only measures
-    scripts/fuzz --missing                    shows the lines that are not reached
+    scripts/fuzz --seconds 0 --reached        only shows what they begin with reaches
+    scripts/fuzz --missing                    shows the lines that are not reached, too
     scripts/fuzz --keep                       lets the corpora have what is found
     scripts/fuzz --plain                      with random inputs, as where there is no atheris
 
@@ -19,6 +19,7 @@ import platform
 import subprocess
 import sys
 import tempfile
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -33,16 +34,23 @@ def main(arguments: list[str]) -> int:
     folder = Path(tempfile.mkdtemp(prefix="yamaro-fuzz-"))
     is_guided = not options.plain and has_atheris()
     print(f"fuzzing on Python {platform.python_version()}, {how(is_guided)}", flush=True)
+    names = options.targets or NAMES
+    for name in names:
+        (folder / name).mkdir()
     faults = []
-    for name in options.targets or NAMES:
-        own = folder / name
-        own.mkdir()
-        if options.seconds:
-            faults += feed(name, own, options, is_guided=is_guided)
+    if options.seconds:
+        with ThreadPoolExecutor(os.cpu_count()) as pool:  # each waits for a process of its own
+            for told, found in pool.map(
+                lambda name: feed(name, folder / name, options, is_guided=is_guided), names
+            ):
+                print(told, flush=True)
+                faults += found
+    for name in names:
         if options.keep and is_guided:
-            keep(name, own)
-    for name in options.targets or NAMES:
-        faults += show_reached(name, folder / name, is_detailed=options.missing)
+            keep(name, folder / name)
+    for name in names:
+        if options.reached or options.missing:
+            faults += show_reached(name, folder / name, is_detailed=options.missing)
     if faults:
         (folder / "faults.txt").write_text("\n\n".join(faults), "utf-8", "backslashreplace")
         print("\n\n".join(faults))
@@ -59,6 +67,7 @@ def read_options(arguments: list[str]) -> argparse.Namespace:
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--plain", action="store_true")
     parser.add_argument("--keep", action="store_true")
+    parser.add_argument("--reached", action="store_true")
     parser.add_argument("--missing", action="store_true")
     return parser.parse_args(arguments)
 
@@ -84,17 +93,21 @@ def run(module: str, *arguments: object, log: Path, **variables: str) -> None:
         sys.exit(f"{log.read_text(errors='replace')[-4000:]}\n{' '.join(command)} failed")
 
 
-def feed(name: str, folder: Path, options: argparse.Namespace, *, is_guided: bool) -> list[str]:
-    """Feed a target, and tell what came of it; return its faults."""
+def feed(
+    name: str, folder: Path, options: argparse.Namespace, *, is_guided: bool
+) -> tuple[str, list[str]]:
+    """Feed a target; return what came of it, and its faults."""
     module = "guided" if is_guided else "plain"
     run(module, name, options.seconds, options.seed, folder, log=folder / "log.txt")
     found = json.loads((folder / "session.json").read_text())
     inputs = sum(found["counts"].values())
     most = sorted(found["counts"].items(), key=lambda item: -item[1])
     shown = ", ".join(f"{word} {count:,}" for word, count in most[:8])
-    print(f"{name:9} {inputs:9,} inputs in {found['seconds']:.0f} s, ", end="")
-    print(f"{len(found['faults'])} faults; {len(most)} outcomes: {shown}", flush=True)
-    return [
+    told = (
+        f"{name:9} {inputs:9,} inputs in {found['seconds']:.0f} s, {len(found['faults'])} faults; "
+        f"{len(most)} outcomes: {shown}"
+    )
+    return told, [
         f"=== {name}: {place}\n{trace}\ninput: {text!r}"
         for place, (text, trace) in found["faults"].items()
     ]

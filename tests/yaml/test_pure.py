@@ -112,7 +112,8 @@ sys.exit(pytest.main(sys.argv[1:]))
 @pytest.mark.slow
 def test_all_cases_give_the_same_bytes_and_messages_without_libyaml() -> None:
     names = "tests/test_cases.py::test_case_gives_exactly_what_is_expected"
-    options = ["-q", "-p", "no:cacheprovider", "-p", "no:xdist", names]
+    once = "--hypothesis-profile=quick"  # most cases are compiled once, not three times
+    options = ["-q", "-p", "no:cacheprovider", "-p", "no:xdist", once, names]
     environment = {
         k: v for k, v in os.environ.items() if not k.startswith(("COVERAGE_", "PYTEST_"))
     }
