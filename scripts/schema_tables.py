@@ -31,7 +31,7 @@ from yamaro.model.schema import (  # noqa: E402
     Thing,
 )
 from yamaro.targets.holding import FORMATS, ROWS, Cell, Missing  # noqa: E402
-from yamaro.targets.output import LOST  # noqa: E402
+from yamaro.targets.losses import LOST  # noqa: E402
 from yamaro.targets.table import TARGETS  # noqa: E402
 from yamaro.units import UNITS, name_of  # noqa: E402
 
