@@ -14,7 +14,6 @@ from .rigid import RigidLinks, child_links, name_of, pose_of, set_pose
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ..source import Span
     from ..xml.tree import Node, RobotWord
     from .lowering import Lowering
 
@@ -26,12 +25,27 @@ def lower_attach(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
     """Append the joint that an attached robot is mounted with, and the robot itself."""
     keys = {key.name: key for key in word.elements()}
     try:
-        _check_keys(word, keys)
+        check_keys(word, KEYS, hint="what is passed to a file needs a `path`")
+        if "to" not in keys:
+            raise failure(
+                "missing-key",
+                "`attach` needs an entry `to`",
+                word.span,
+                hint="write to: tool0, the link, part or frame that carries the robot",
+                trace=word.trace,
+            )
     except YamaroError as error:
         lowering.absorb(error)
         return
     errors = len(lowering.errors)
-    robot, (links, joints) = _lower_robot(lowering, keys["body"])
+    from .part import finish_words, lower_nodes, resolve_names
+
+    body = keys["body"]
+    outside = lowering.begin_robot()  # parts of both may have the same names: each means its own
+    robot = Element("robot", body.span, children=lower_nodes(lowering, body.children))
+    resolve_names(lowering, robot)
+    finish_words(lowering, robot)
+    links, joints = lowering.end_robot(outside)
     if len(lowering.errors) > errors:
         return
     prefix = text_of(keys.get("prefix"))
@@ -50,35 +64,7 @@ def lower_attach(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
     out += _with_prefix(lowering, robot, prefix)
 
 
-def _check_keys(word: RobotWord, keys: dict[str, Element]) -> None:
-    check_keys(word, KEYS, hint="what is passed to a file needs a `path`")
-    if "to" not in keys:
-        raise failure(
-            "missing-key",
-            "`attach` needs an entry `to`",
-            word.span,
-            hint="write to: tool0, the link, part or frame that carries the robot",
-            trace=word.trace,
-        )
-
-
 # --- the attached robot -----------------------------------------------------------------------
-
-
-def _lower_robot(
-    lowering: Lowering, body: Element
-) -> tuple[Element, tuple[dict[str, str], dict[str, str]]]:
-    """Return the attached robot with the names in it resolved, and its parts' links and joints.
-
-    Parts of the two robots may have the same names: each means its own.
-    """
-    from .part import finish_words, lower_nodes, resolve_names
-
-    outside = lowering.begin_robot()
-    robot = Element("robot", body.span, children=lower_nodes(lowering, body.children))
-    resolve_names(lowering, robot)
-    finish_words(lowering, robot)
-    return robot, lowering.end_robot(outside)
 
 
 def _only_root(word: RobotWord, robot: Element) -> str:
@@ -150,7 +136,7 @@ def _mount(
                 trace=word.trace,
             )
     if not any(child.name == "type" for child in key.elements()):
-        key.children.insert(0, _text_element("type", "fixed", word.span))
+        key.children.insert(0, Element("type", word.span, children=[Text("fixed", word.span)]))
     parent = Element("parent", keys["to"].span, children=keys["to"].children, trace=word.trace)
     key.children.append(parent)
     key.children += [keys[name] for name in POSE_ROWS if name in keys]
@@ -158,10 +144,6 @@ def _mount(
     mount = lower_joint(lowering, key, name, child=prefix + root)
     mount.body = IncludedRobot(prefix)
     return mount
-
-
-def _text_element(name: str, text: str, span: Span) -> Element:
-    return Element(name, span, children=[Text(text, span)])
 
 
 def _place_at(

@@ -79,7 +79,18 @@ def _read(lowering: Lowering, word: RobotWord) -> PendingControl:
     note.value_spans = places
     for name, key in keys.items():
         if name == "params":
-            note.children.append(_params(key))
+            # The parameters of a driver; one may be empty, such as a prefix.
+            params = key.with_children([])
+            entries = entries_of(key, "params: {port: 3}")
+            given_once(key.with_children([*entries]), tuple(child.name for child in entries))
+            for child in entries:
+                text = ""
+                if child.children:
+                    value, span = read_value(child)
+                    is_empty = isinstance(value, str) and not value.strip()
+                    text = "" if is_empty else word_of(child.name, value, span, owner=key)
+                params.children.append(child.with_children([Text(text, child.span)]))
+            note.children.append(params)
         elif name == "gpio":
             note.children += [
                 _gpio(lowering, pin) for pin in entries_of(key, "gpio: {lamp: {command: on}}")
@@ -91,21 +102,6 @@ def _read(lowering: Lowering, word: RobotWord) -> PendingControl:
             places[name] = read_value(key)[1]
     patterns = (names_in(keys[name]) if name in keys else None for name in ("joints", "sensors"))
     return PendingControl(note, *patterns)
-
-
-def _params(key: Element) -> Element:
-    """Return the parameters of a driver; one may be empty, such as a prefix."""
-    params = key.with_children([])
-    entries = entries_of(key, "params: {port: 3}")
-    given_once(key.with_children([*entries]), tuple(child.name for child in entries))
-    for child in entries:
-        text = ""
-        if child.children:
-            value, span = read_value(child)
-            is_empty = isinstance(value, str) and not value.strip()
-            text = "" if is_empty else word_of(child.name, value, span, owner=key)
-        params.children.append(child.with_children([Text(text, child.span)]))
-    return params
 
 
 def _gpio(lowering: Lowering, pin: Element) -> RobotNote:

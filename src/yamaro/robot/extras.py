@@ -66,7 +66,11 @@ def lower_link_sensor(
             note.attributes["frame"] = name
             out += frame_elements(lowering, word, name, link, pose)
         if note.attributes["type"] in CAMERAS:
-            out += _optical_frame(lowering, word, name, str(note.attributes["frame"]))
+            around = str(note.attributes["frame"])
+            turned = Element("frame", word.span, {"name": f"{name}{OPTICAL}"}, trace=word.trace)
+            turned.value_spans = {"name": word.value_span("name")}
+            pose = Pose(ZERO_ROW, Numbers.spelled(tuple(OPTICAL_RPY.split())), None, {})
+            out += frame_elements(lowering, turned, f"{name}{OPTICAL}", around, pose)
     except YamaroError as error:
         lowering.absorb(error)
         return
@@ -83,13 +87,6 @@ def lower_joint_sensor(lowering: Lowering, word: Element, joint: str, out: list[
         return
     note.attributes["joint"] = joint
     out.append(note)
-
-
-def _optical_frame(lowering: Lowering, word: Element, name: str, frame: str) -> list[Node]:
-    turned = Element("frame", word.span, {"name": f"{name}{OPTICAL}"}, trace=word.trace)
-    turned.value_spans = {"name": word.value_span("name")}
-    pose = Pose(ZERO_ROW, Numbers.spelled(tuple(OPTICAL_RPY.split())), None, {})
-    return frame_elements(lowering, turned, f"{name}{OPTICAL}", frame, pose)
 
 
 # --- the keys of a sensor ---------------------------------------------------------------------
@@ -253,7 +250,21 @@ def _actuator(lowering: Lowering, word: Element, joint: Element) -> RobotNote:
     for key in keys.values():
         if key.name == "command":
             places[key.name] = read_value(key)[1]
-            commands = _commands(key)
+            # The commands that an actuator takes, of which the first is the usual one.
+            names = names_in(key)
+            if not names:
+                raise empty_value(key)
+            for number, (name, span) in enumerate(names):
+                chosen(name, span, key, COMMANDS)
+                if name in [earlier for earlier, _ in names[:number]]:
+                    raise failure(
+                        "given-twice",
+                        f"the command '{name}' is given twice",
+                        span,
+                        hint="remove one of the two",
+                        trace=key.trace,
+                    )
+            commands = [name for name, _ in names]
             note.attributes["command"] = commands[0]
             if len(commands) > 1:
                 note.attributes["commands"] = " ".join(commands)
@@ -261,24 +272,6 @@ def _actuator(lowering: Lowering, word: Element, joint: Element) -> RobotNote:
             field = ACTUATOR.fields[key.name]
             note.attributes[key.name], places[key.name] = _value(lowering, field, key)
     return note
-
-
-def _commands(key: Element) -> list[str]:
-    """Return the commands that an actuator takes, of which the first is the usual one."""
-    names = names_in(key)
-    if not names:
-        raise empty_value(key)
-    for number, (name, span) in enumerate(names):
-        chosen(name, span, key, COMMANDS)
-        if name in [earlier for earlier, _ in names[:number]]:
-            raise failure(
-                "given-twice",
-                f"the command '{name}' is given twice",
-                span,
-                hint="remove one of the two",
-                trace=key.trace,
-            )
-    return [name for name, _ in names]
 
 
 def _check_joint(word: Element, joint: Element) -> None:
@@ -320,23 +313,19 @@ def lower_surfaces(
                     trace=word.trace,
                 )
             numbers.add(number)
-            out.append(_surface(lowering, word, link, number))
+            refuse_attributes(word)
+            keys = given_once(word, SURFACE.fields)
+            note = RobotNote(
+                "surface", word.span, {"link": link, "index": str(number)}, trace=lowering.trace
+            )
+            places: dict[str, Span] = {}
+            note.value_spans = places
+            for key in keys.values():
+                field = SURFACE.fields[key.name]
+                note.attributes[key.name], places[key.name] = _value(lowering, field, key)
+            out.append(note)
         except YamaroError as error:
             lowering.absorb(error)
-
-
-def _surface(lowering: Lowering, word: Element, link: str, number: int) -> RobotNote:
-    refuse_attributes(word)
-    keys = given_once(word, SURFACE.fields)
-    note = RobotNote(
-        "surface", word.span, {"link": link, "index": str(number)}, trace=lowering.trace
-    )
-    places: dict[str, Span] = {}
-    note.value_spans = places
-    for key in keys.values():
-        field = SURFACE.fields[key.name]
-        note.attributes[key.name], places[key.name] = _value(lowering, field, key)
-    return note
 
 
 # --- `frame` ----------------------------------------------------------------------------------

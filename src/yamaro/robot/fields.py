@@ -260,7 +260,12 @@ def sort_fields(
             elif len(child.children) == 1 and is_left_out(child):
                 continue
             elif name in keys:
-                _replace_key(lowering, child, fields)
+                first = keys[name]
+                check_once(lowering, first, child)
+                keys[name] = child  # the last one counts
+                if first in rest:
+                    rest.remove(first)
+                    rest.append(child)
             else:
                 keys[name] = child
                 if name in ordered:
@@ -298,16 +303,6 @@ def _take_stray_geometry(lowering: Lowering, stray: Element, fields: Fields) -> 
 
 
 _GEOMETRY_MEANT = "did you mean 'geometry'?"
-
-
-def _replace_key(lowering: Lowering, child: Element, fields: Fields) -> None:
-    """Take a key meant once that is reached again: the last one counts."""
-    first = fields.keys[child.name]
-    check_once(lowering, first, child)
-    fields.keys[child.name] = child
-    if first in fields.rest:
-        fields.rest.remove(first)
-        fields.rest.append(child)
 
 
 def _sort_element(lowering: Lowering, child: Element, place: PartPlace, fields: Fields) -> None:
@@ -380,23 +375,20 @@ def check_plain(lowering: Lowering, element: Element, place_name: str | None) ->
         for child in current.children:
             if isinstance(child, Text):
                 if type(child.value) is LiteralList:
-                    _refuse_list(lowering, current, child.span)
+                    lowering.absorb(
+                        failure(
+                            "list-as-text",
+                            f"a list cannot be the content of <{current.name}>",
+                            child.span,
+                            hint="write the items as one text, such as 1 0 0, or write a list of "
+                            "elements",
+                            trace=current.trace,
+                        )
+                    )
             elif type(child) is Element:
                 stack.append(child)
             elif isinstance(child, Element) and place_name is not None:
                 refuse_part(lowering, child, place_name)
-
-
-def _refuse_list(lowering: Lowering, owner: Element, span: Span) -> None:
-    lowering.absorb(
-        failure(
-            "list-as-text",
-            f"a list cannot be the content of <{owner.name}>",
-            span,
-            hint="write the items as one text, such as 1 0 0, or write a list of elements",
-            trace=owner.trace,
-        )
-    )
 
 
 def refuse_part(lowering: Lowering, part: Element, place_name: str) -> None:
@@ -499,10 +491,6 @@ def read_value(key: Element) -> tuple[object, Span]:
         only = children[0]
         if type(only) is Text:
             return only.value, only.span
-    return _join_value(key)
-
-
-def _join_value(key: Element) -> tuple[object, Span]:
     texts = [child for child in key.children if isinstance(child, Text)]
     others = [child for child in key.children if isinstance(child, Element)]
     if others or key.attributes:
@@ -623,7 +611,24 @@ def read_record(lowering: Lowering, key: Element, scalar: str | None) -> Record:
     if len(children) == 1 and type(children[0]) is Text:
         _read_scalar(key, children[0], scalar, record)
     elif children:
-        _read_children(lowering, key, scalar, record)
+        written: dict[str, Element] = {}
+        for child in children:
+            if type(child) is Element and _is_attribute(child):
+                if child.children and not is_left_out(child):
+                    name = child.name
+                    value, span = read_value(child)
+                    if name in record.values:
+                        if name not in written:
+                            raise _attribute_twice(key, name, child.span, record)
+                        check_once(lowering, written[name], child)
+                    written[name] = child
+                    record.set(name, value, span)
+            elif isinstance(child, Text):
+                _read_scalar(key, child, scalar, record)
+            else:
+                if isinstance(child, Element):
+                    check_plain(lowering, child, key.name)
+                record.others.append(child)
     return record
 
 
@@ -683,21 +688,6 @@ REPEATED_MOMENTS = ("iyx", "izx", "izy")
 """Moments that the symmetry of the matrix gives; the checks explain it."""
 
 
-def _read_children(lowering: Lowering, key: Element, scalar: str | None, record: Record) -> None:
-    """Take the attributes from a mapping, and what is not an attribute into `others`."""
-    written: dict[str, Element] = {}
-    for child in key.children:
-        if type(child) is Element and _is_attribute(child):
-            if child.children and not is_left_out(child):
-                _read_child(lowering, key, child, record, written)
-        elif isinstance(child, Text):
-            _read_scalar(key, child, scalar, record)
-        else:
-            if isinstance(child, Element):
-                check_plain(lowering, child, key.name)
-            record.others.append(child)
-
-
 def _is_attribute(child: Element) -> bool:
     """Return whether a child is a key with a value, and not an XML element."""
     if child.verbatim or child.attributes:
@@ -712,8 +702,20 @@ def _read_scalar(key: Element, text: Text, scalar: str | None, record: Record) -
     value = text.value
     if value is None or (type(value) is str and not value):
         return
-    if isinstance(value, dict):
-        _read_dict(key, value, text.span, record)
+    if isinstance(value, dict):  # that an expression gave: `limit: $(limits['knee'])`
+        for name, item in value.items():
+            if not isinstance(name, str) or bad_name_character(name) is not None:
+                raise failure(
+                    "bad-name",
+                    f"{name!r} in the mapping given to '{key.name}' cannot name an attribute",
+                    text.span,
+                    hint="the mapping's keys become attributes: {'lower': -1, 'upper': 1}",
+                    trace=key.trace,
+                )
+            if name in record.values:
+                raise _attribute_twice(key, name, text.span, record)
+            if item is not None:
+                record.set(name, item, text.span)
         return
     if scalar is None:
         raise failure(
@@ -728,23 +730,6 @@ def _read_scalar(key: Element, text: Text, scalar: str | None, record: Record) -
     record.set(scalar, value, text.span)
 
 
-def _read_dict(key: Element, value: dict[object, object], span: Span, record: Record) -> None:
-    """Take the attributes from a mapping that an expression gave: `limit: $(limits['knee'])`."""
-    for name, item in value.items():
-        if not isinstance(name, str) or bad_name_character(name) is not None:
-            raise failure(
-                "bad-name",
-                f"{name!r} in the mapping given to '{key.name}' cannot name an attribute",
-                span,
-                hint="the mapping's keys become attributes: {'lower': -1, 'upper': 1}",
-                trace=key.trace,
-            )
-        if name in record.values:
-            raise _attribute_twice(key, name, span, record)
-        if item is not None:
-            record.set(name, item, span)
-
-
 _RECORD_EXAMPLES = {
     "limit": "limit: {lower: -1, upper: 1, effort: 10, velocity: 2}",
     "dynamics": "dynamics: {damping: 0.1, friction: 0.2}",
@@ -752,19 +737,6 @@ _RECORD_EXAMPLES = {
     "calibration": "calibration: {rising: 0.0}",
     "origin": "xyz: 0 0 0 and rpy: 0 0 0 instead of 'origin', or origin: none",
 }
-
-
-def _read_child(
-    lowering: Lowering, key: Element, child: Element, record: Record, written: dict[str, Element]
-) -> None:
-    name = child.name
-    value, span = read_value(child)
-    if name in record.values:
-        if name not in written:
-            raise _attribute_twice(key, name, child.span, record)
-        check_once(lowering, written[name], child)
-    written[name] = child
-    record.set(name, value, span)
 
 
 def _attribute_twice(key: Element, name: str, span: Span, record: Record) -> YamaroError:

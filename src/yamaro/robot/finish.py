@@ -23,7 +23,6 @@ if TYPE_CHECKING:
     from ..fixes import Fix
     from ..model.extras import Loop
     from ..model.pose import Pose
-    from ..model.robot import Robot
     from .control import States
     from .lowering import Lowering
 
@@ -141,7 +140,21 @@ def _check_groups(lowering: Lowering, groups: list[RobotNote]) -> None:
 def _check(lowering: Lowering, names: _LinkTree, note: RobotNote) -> None:
     """Record what a note says of links and joints that the robot does not have."""
     if note.name == "state":
-        _refuse_twice(lowering, note)
+        seen: dict[str, Element] = {}
+        for joint in note.elements():
+            name = str(joint.attributes["joint"])
+            first = seen.setdefault(name, joint)
+            if first is not joint:  # such as by its part's name too
+                lowering.absorb(
+                    failure(
+                        "given-twice",
+                        f"the state '{name_of(note)}' has two positions of the joint '{name}'",
+                        joint.value_span("joint"),
+                        hint="remove one of the two",
+                        notes=[f"first given at {first.value_span('joint').place()}"],
+                        trace=note.trace,
+                    )
+                )
         for joint in note.elements():
             _check_state(lowering, names, joint)
         return
@@ -178,25 +191,6 @@ def _check(lowering: Lowering, names: _LinkTree, note: RobotNote) -> None:
 _LINK_ATTRIBUTES = frozenset(
     ("link", "parent_link", "base_link", "tip_link", "frame", "frame_1", "frame_2")
 ) | {"link_1", "link_2"}
-
-
-def _refuse_twice(lowering: Lowering, state: RobotNote) -> None:
-    """Record a joint that has two positions in a state, such as by its part's name too."""
-    seen: dict[str, Element] = {}
-    for joint in state.elements():
-        name = str(joint.attributes["joint"])
-        first = seen.setdefault(name, joint)
-        if first is not joint:
-            lowering.absorb(
-                failure(
-                    "given-twice",
-                    f"the state '{name_of(state)}' has two positions of the joint '{name}'",
-                    joint.value_span("joint"),
-                    hint="remove one of the two",
-                    notes=[f"first given at {first.value_span('joint').place()}"],
-                    trace=state.trace,
-                )
-            )
 
 
 def _check_state(lowering: Lowering, names: _LinkTree, value: Element) -> None:
@@ -337,7 +331,16 @@ def warn_of_open_loops(lowering: Lowering, root: Element, notes: Sequence[RobotN
         if all(name in poses for name in loop.between):
             distance, angle = gap_of(loop, *(poses[name] for name in loop.between))
             if distance > LARGEST_GAP or angle > LARGEST_GAP:
-                _warn(lowering, robot, loop, distance, angle)
+                where = f"in the state '{HOME}'" if HOME in robot.states else "with all joints at 0"
+                size = [f"{distance:.3g} m"] if distance > LARGEST_GAP else []
+                size += [f"{angle:.3g} rad"] if angle > LARGEST_GAP else []
+                lowering.report(
+                    "open-loop",
+                    f"the loop '{loop.name}' is open by {' and '.join(size)} {where}",
+                    loop.span,
+                    hint=f"give the positions in which it is closed: states: {{{HOME}: {{…}}}}",
+                    trace=loop.trace,
+                )
 
 
 def gap_of(loop: Loop, one: Pose, other: Pose) -> tuple[float, float]:
@@ -366,16 +369,3 @@ def gap_of(loop: Loop, one: Pose, other: Pose) -> tuple[float, float]:
 def _angle(cosine: float) -> float:
     """Return the angle of a cosine; acos is exact to 1e-8 only, and 0 below that."""
     return acos(max(-1.0, min(1.0, cosine))) if cosine < 1 - 1e-12 else 0.0
-
-
-def _warn(lowering: Lowering, robot: Robot, loop: Loop, distance: float, angle: float) -> None:
-    where = f"in the state '{HOME}'" if HOME in robot.states else "with all joints at 0"
-    size = [f"{distance:.3g} m"] if distance > LARGEST_GAP else []
-    size += [f"{angle:.3g} rad"] if angle > LARGEST_GAP else []
-    lowering.report(
-        "open-loop",
-        f"the loop '{loop.name}' is open by {' and '.join(size)} {where}",
-        loop.span,
-        hint=f"give the positions in which it is closed: states: {{{HOME}: {{…}}}}",
-        trace=loop.trace,
-    )

@@ -246,7 +246,15 @@ def lower_formed(
         return
     common = key_of(pattern.common_of(part.values))
     if common is not None and common not in pattern.lowered:
-        _learn(lowering, pattern, common, out[before:])
+        joint, link = out[before:] if pattern.is_joint_first else reversed(out[before:])
+        assert isinstance(joint, Element)
+        assert isinstance(link, Element)
+        if len(pattern.lowered) >= MAX_KNOWN:
+            pattern.lowered.clear()
+        has_mimic = bool(lowering.mimics) and lowering.mimics[-1] is joint
+        pattern.lowered[common] = LoweredPart(joint, link, has_mimic=has_mimic)
+        joint.share(own=OWN_CHILDREN)
+        link.share(own=0)
 
 
 def _pattern_of(form: Form) -> Pattern | None:
@@ -254,19 +262,6 @@ def _pattern_of(form: Form) -> Pattern | None:
         return Pattern(_Reader(form))
     except _Unusual:
         return None
-
-
-def _learn(lowering: Lowering, pattern: Pattern, common: object, made: list[Node]) -> None:
-    """Keep a joint and a link to take over from, and give them memos."""
-    joint, link = made if pattern.is_joint_first else reversed(made)
-    assert isinstance(joint, Element)
-    assert isinstance(link, Element)
-    if len(pattern.lowered) >= MAX_KNOWN:
-        pattern.lowered.clear()
-    has_mimic = bool(lowering.mimics) and lowering.mimics[-1] is joint
-    pattern.lowered[common] = LoweredPart(joint, link, has_mimic=has_mimic)
-    joint.share(own=OWN_CHILDREN)
-    link.share(own=0)
 
 
 def _take_over(

@@ -58,7 +58,19 @@ class Geometry:
         self.span = span
         self.scale = scale
         self.spans = spans
-        self.element = _element(self)
+        attributes: dict[str, object]
+        if kind == "mesh":
+            attributes = {"filename": word}
+            spans = {"filename": span, **spans}
+            if scale is not None:
+                attributes["scale"] = scale
+        else:
+            assert scale is not None
+            names = SIZES[kind]
+            sizes = scale.one_by_one() if len(names) > 1 else [scale]
+            attributes = dict(zip(names, sizes, strict=True))
+        shape = Element(kind, key.span, attributes, [], key.trace, spans)
+        self.element = Element("geometry", key.span, {}, [shape], key.trace)
 
     @property
     def scale_span(self) -> Span:
@@ -155,7 +167,15 @@ def read_geometry(
             trace=key.trace,
         )
     if kind == "capsule" and not lowering.has_capsule:
-        _warn_of_capsule(lowering, key, span)
+        lowering.report(
+            "capsule-needs-urdf-1.1",
+            "the shape 'capsule' needs URDF 1.1, which this robot does not declare: urdfdom (ROS, "
+            "RViz, MoveIt) and pinocchio ignore the shape, yourdfpy rejects it",
+            span,
+            hint="write robot/name=…, version=1.1: as the root, which urdfdom "
+            "supports from version 5.1, or use a cylinder",
+            trace=key.trace,
+        )
     return Geometry(key, kind=kind, word=word, span=span, scale=scale, spans=spans)
 
 
@@ -277,36 +297,6 @@ def _refuse_urdf_form(lowering: Lowering, key: Element) -> None:
         hint=f"write {short}, or <geometry>: for an XML element",
         trace=key.trace,
     )
-
-
-def _warn_of_capsule(lowering: Lowering, key: Element, span: Span) -> None:
-    lowering.report(
-        "capsule-needs-urdf-1.1",
-        "the shape 'capsule' needs URDF 1.1, which this robot does not declare: urdfdom (ROS, "
-        "RViz, MoveIt) and pinocchio ignore the shape, yourdfpy rejects it",
-        span,
-        hint="write robot/name=…, version=1.1: as the root, which urdfdom "
-        "supports from version 5.1, or use a cylinder",
-        trace=key.trace,
-    )
-
-
-def _element(geometry: Geometry) -> Element:
-    """Return `<geometry>` with the shape in it."""
-    key, scale = geometry.key, geometry.scale
-    attributes: dict[str, object]
-    if geometry.kind == "mesh":
-        attributes = {"filename": geometry.word}
-        spans = {"filename": geometry.span, **geometry.spans}
-        if scale is not None:
-            attributes["scale"] = scale
-    else:
-        assert scale is not None
-        names, spans = SIZES[geometry.kind], geometry.spans
-        sizes = scale.one_by_one() if len(names) > 1 else [scale]
-        attributes = dict(zip(names, sizes, strict=True))
-    shape = Element(geometry.kind, key.span, attributes, [], key.trace, spans)
-    return Element("geometry", key.span, {}, [shape], key.trace)
 
 
 # --- shapes for inertia -----------------------------------------------------------------------

@@ -15,7 +15,7 @@ from .pose import Pose, compose_poses, origin_element, pose_at, read_pose
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ..model.shapes import Inertia, Solid
+    from ..model.shapes import Solid
     from ..source import Span
     from ..xml.tree import Node
     from .geometry import Geometry, LinkGeometry
@@ -72,7 +72,16 @@ def lower_inertial(
         else:
             shape = body.shape("the inertia is computed from it")
             pose = compose_poses(pose, pose_at(shape.center()))
-            inertia_element = _computed_inertia(lowering, owner, shape.inertia(mass))
+            moments = shape.inertia(mass)
+            if not all(map(isfinite, moments)):
+                raise _too_large(owner)
+            written = lowering.inertias.get(moments)
+            if written is None:
+                written = tuple([Numbers.of(value) if value else ZERO for value in moments])
+                remember(lowering.inertias, moments, written)
+            inertia_element = Element(
+                "inertia", owner.span, dict(zip(MOMENTS, written, strict=True)), [], owner.trace
+            )
     origin = fields.plain.get("origin") or origin_element(pose, owner)
     children: list[Node] = [] if origin is None else [origin]
     children += (mass_element, inertia_element)
@@ -214,16 +223,6 @@ def _given_inertia(lowering: Lowering, key: Element) -> Element:
     for name in MOMENTS:
         record.values[name] = read_attribute(lowering, record, name, count=1, name=name)
     return record.element()
-
-
-def _computed_inertia(lowering: Lowering, owner: Element, moments: Inertia) -> Element:
-    if not all(map(isfinite, moments)):
-        raise _too_large(owner)
-    written = lowering.inertias.get(moments)
-    if written is None:
-        written = tuple([Numbers.of(value) if value else ZERO for value in moments])
-        remember(lowering.inertias, moments, written)
-    return Element("inertia", owner.span, dict(zip(MOMENTS, written, strict=True)), [], owner.trace)
 
 
 def _too_large(key: Element) -> YamaroError:

@@ -126,7 +126,12 @@ def _lower_detail(lowering: Lowering, detail: Node) -> Node:
         if detail.name == "color":
             return _lower_color(lowering, detail)
         if detail.name == "texture":
-            return _lower_texture(lowering, detail)
+            record = read_record(lowering, detail, "filename")
+            refuse_misspelt(record, ("filename",))
+            _require(record, "filename", "a file: texture: package://arm/red.png")
+            file, span = record.values["filename"], record.span("filename")
+            record.values["filename"] = word_of("texture", file, span, owner=detail)
+            return record.element()
     check_plain(lowering, detail, "material")
     return detail
 
@@ -161,15 +166,6 @@ def _lower_color(lowering: Lowering, key: Element) -> Element:
     return record.element()
 
 
-def _lower_texture(lowering: Lowering, key: Element) -> Element:
-    record = read_record(lowering, key, "filename")
-    refuse_misspelt(record, ("filename",))
-    _require(record, "filename", "a file: texture: package://arm/red.png")
-    file, span = record.values["filename"], record.span("filename")
-    record.values["filename"] = word_of("texture", file, span, owner=key)
-    return record.element()
-
-
 def _require(record: Record, name: str, what: str) -> None:
     """Raise an error if an attribute is missing."""
     key = record.key
@@ -200,21 +196,7 @@ def settle_materials(root: Element) -> Element:
     robots = {id(own): own for own in map(_robot_of, children) if own is not None and own.prefix}
     if robots:
         children = _with_prefixes(children, list(robots.values()))
-    children = _without_repeated(children)
-    return root if children is root.children else root.with_children(children)
-
-
-def _robot_of(node: Node) -> IncludedRobot | None:
-    """Return the file that a node of a robot was included from, if that is XML."""
-    is_included = isinstance(node, Element) and isinstance(node.body, IncludedRobot)
-    return node.body if is_included else None  # type: ignore[union-attr, return-value]
-
-
-def _without_repeated(children: list[Node]) -> list[Node]:
-    """Return the children of a robot without materials that are defined before, just as they are.
-
-    Within one XML file that is included they stay as they are in it.
-    """
+    # Within one XML file that is included, materials stay as they are in it.
     first: dict[str, Element] = {}
     kept: list[Node] = []
     for child in children:
@@ -224,7 +206,15 @@ def _without_repeated(children: list[Node]) -> list[Node]:
             if earlier is not child and not is_of_same_file and _look(earlier) == _look(child):
                 continue
         kept.append(child)
-    return children if len(kept) == len(children) else kept
+    if len(kept) < len(children):
+        children = kept
+    return root if children is root.children else root.with_children(children)
+
+
+def _robot_of(node: Node) -> IncludedRobot | None:
+    """Return the file that a node of a robot was included from, if that is XML."""
+    is_included = isinstance(node, Element) and isinstance(node.body, IncludedRobot)
+    return node.body if is_included else None  # type: ignore[union-attr, return-value]
 
 
 def _with_prefixes(children: list[Node], robots: list[IncludedRobot]) -> list[Node]:

@@ -67,7 +67,10 @@ def lower_mirror(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
         return
     mirror.trace = lowering.trace
     counts = len(lowering.part_links), len(lowering.part_joints)
-    mirror.made = _lower_body(lowering, word)
+    from .part import lower_nodes
+
+    nodes = next((key.children for key in word.elements() if key.name == "body"), [])
+    mirror.made = lower_nodes(lowering, nodes)
     rename = mirror.renaming.apply
     for names, count in zip((lowering.part_links, lowering.part_joints), counts, strict=True):
         for name in reversed(list(islice(reversed(names), len(names) - count))):  # the new ones
@@ -75,13 +78,6 @@ def lower_mirror(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
     lowering.pending.append(mirror)
     out += mirror.made
     out.append(mirror)
-
-
-def _lower_body(lowering: Lowering, word: RobotWord) -> list[Node]:
-    from .part import lower_nodes
-
-    nodes = next((key.children for key in word.elements() if key.name == "body"), [])
-    return lower_nodes(lowering, nodes)
 
 
 # --- its keys ---------------------------------------------------------------------------------
@@ -135,27 +131,25 @@ def _words(key: Element) -> dict[str, str]:
 def make_images(lowering: Lowering, robot: Element) -> None:
     """Put the image of each mirror where it belongs, inner ones first."""
     images: dict[int, list[Node]] = {}
-    links = _all_links(lowering, robot)
+    links = names_of(robot, "link")  # and those of images
+    for mirror in lowering.pending:
+        links |= {mirror.renaming.apply(name) for name in _own_links(lowering, mirror)}
     present = _Present(robot.children)
     for mirror in lowering.pending:
         entered = lowering.enter(mirror)
         made = _with_images(mirror.made, images)
-        _choose_members(lowering, made)
+        # The controls in a body choose among its joints: their images have the mirrored ones.
+        inside = {id(node) for node in made}
+        own = [control for control in lowering.controls if id(control.note) in inside]
+        if own:
+            from .control import choose_members
+
+            choose_members(lowering, [each for each in made if isinstance(each, Element)], own)
+            lowering.controls = [control for control in lowering.controls if control not in own]
         image = images[id(mirror)] = _Image(lowering, mirror, made, present, links).nodes()
         present.add(image)
         lowering.leave(entered)
     robot.children = _with_images(robot.children, images)
-
-
-def _choose_members(lowering: Lowering, made: list[Node]) -> None:
-    """Let the controls in a body choose among its joints: their images have the mirrored ones."""
-    inside = {id(node) for node in made}
-    own = [control for control in lowering.controls if id(control.note) in inside]
-    if own:
-        from .control import choose_members
-
-        choose_members(lowering, [each for each in made if isinstance(each, Element)], own)
-        lowering.controls = [control for control in lowering.controls if control not in own]
 
 
 def _with_images(nodes: list[Node], images: dict[int, list[Node]]) -> list[Node]:
@@ -166,15 +160,6 @@ def _with_images(nodes: list[Node], images: dict[int, list[Node]]) -> list[Node]
         else:
             found.append(node)
     return found
-
-
-def _all_links(lowering: Lowering, robot: Element) -> set[str]:
-    """Return the names of all links, those of images among them."""
-    names = names_of(robot, "link")
-    for mirror in lowering.pending:
-        own = _own_links(lowering, mirror)
-        names |= {mirror.renaming.apply(name) for name in own}
-    return names
 
 
 def _own_links(lowering: Lowering, mirror: Mirror) -> set[str]:

@@ -39,7 +39,17 @@ class Naming:
 def note_naming(lowering: Lowering, word: RobotWord) -> None:
     """Note what a section says about the parts of the file that it is in; record what is wrong."""
     try:
-        lowering.namings[word.span.source] = _read(word)
+        check_keys(word, PATTERNS)
+        for child in word.children:
+            if isinstance(child, Text):
+                raise _bad(f"'{word.text()}' does not say of what", child.span, word)
+        patterns = dict(PATTERNS)
+        for key in word.elements():
+            value, span = read_value(key)
+            pattern = patterns[key.name] = word_of(key.name, value, span, owner=key)
+            if pattern.count("*") != 1 or len(pattern.split()) != 1:
+                raise _bad(f"'{pattern}' does not contain one '*' for the part's name", span, word)
+        lowering.namings[word.span.source] = Naming(**patterns)
     except YamaroError as error:
         lowering.absorb(error)
 
@@ -50,20 +60,6 @@ def lower_naming(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
     if naming is not None:
         patterns: dict[str, object] = {"joints": naming.joints, "links": naming.links}
         out.append(RobotNote("naming", word.span, patterns, trace=word.trace))
-
-
-def _read(word: RobotWord) -> Naming:
-    check_keys(word, PATTERNS)
-    for child in word.children:
-        if isinstance(child, Text):
-            raise _bad(f"'{word.text()}' does not say of what", child.span, word)
-    patterns = dict(PATTERNS)
-    for key in word.elements():
-        value, span = read_value(key)
-        pattern = patterns[key.name] = word_of(key.name, value, span, owner=key)
-        if pattern.count("*") != 1 or len(pattern.split()) != 1:
-            raise _bad(f"'{pattern}' does not contain one '*' for the part's name", span, word)
-    return Naming(**patterns)
 
 
 def _bad(message: str, span: Span, owner: Element) -> YamaroError:

@@ -205,7 +205,8 @@ def _read_object(
         number = _as_float(item)
         if number is None or number - number != 0:
             raise _bad_item(item, number, span, name, trace)
-        words.append(_spell(item, number))
+        plain = plain_value(item)
+        words.append(format_value(plain) if is_number(plain) else format_number(number))
         values.append(number)
     return Numbers(tuple(words), tuple(values))
 
@@ -221,11 +222,6 @@ def _as_float(item: object) -> float | None:
         return float("inf")
     except (TypeError, ValueError):
         return None
-
-
-def _spell(item: object, number: float) -> str:
-    plain = plain_value(item)
-    return format_value(plain) if is_number(plain) else format_number(number)
 
 
 # --- errors -----------------------------------------------------------------------------------
@@ -261,7 +257,13 @@ def bad_word(word: str, span: Span, name: str, trace: Frame | None) -> YamaroErr
     value = parse_number(word)
     if value is not None and value - value != 0:
         return _not_finite(word, span, name, trace)
-    return _not_a_number(word, span, name, trace, hint=_word_hint(word, name, span))
+    return failure(
+        "bad-number",
+        f"'{word}' in {label_of(name)} is not a number",
+        span,
+        hint=_word_hint(word, name, span),
+        trace=trace,
+    )
 
 
 def _bad_item(
@@ -287,18 +289,6 @@ def _not_finite(word: str, span: Span, name: str, trace: Frame | None) -> Yamaro
         f"'{word}' in {label_of(name)} is not a finite number",
         span,
         hint="URDF parsers reject NaN and infinities; write a number",
-        trace=trace,
-    )
-
-
-def _not_a_number(
-    word: str, span: Span, name: str, trace: Frame | None, *, hint: str
-) -> YamaroError:
-    return failure(
-        "bad-number",
-        f"'{word}' in {label_of(name)} is not a number",
-        span,
-        hint=hint,
         trace=trace,
     )
 

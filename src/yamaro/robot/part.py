@@ -178,7 +178,14 @@ def _rebuilt(
     for child in element.children:
         if isinstance(child, PartElement):
             if element.name != "robot":
-                _warn_of_place(lowering, element, child)
+                lowering.report(
+                    "misplaced-part",
+                    f"this part is inside <{element.name}>, where URDF parsers do not look for "
+                    "links and joints",
+                    child.span,
+                    hint="move it directly under 'model'",
+                    trace=child.trace,
+                )
             part = child
             if not is_root:  # its joint and link will inherit from what it is in
                 copy = unshared(child, lowering.trace)
@@ -205,16 +212,6 @@ def lower_nodes(lowering: Lowering, nodes: list[Node]) -> list[Node]:
         return []
     made = _rebuilt(lowering, holder, _places_of_parts(holder), is_root=True).children
     return [lowering.outermost(node) if isinstance(node, Element) else node for node in made]
-
-
-def _warn_of_place(lowering: Lowering, owner: Element, part: Element) -> None:
-    lowering.report(
-        "misplaced-part",
-        f"this part is inside <{owner.name}>, where URDF parsers do not look for links and joints",
-        part.span,
-        hint="move it directly under 'model'",
-        trace=part.trace,
-    )
 
 
 # --- one part ---------------------------------------------------------------------------------
@@ -290,30 +287,23 @@ def _lower_each(lowering: Lowering, part: Element, out: list[Node]) -> None:
                 lowering.has_words = True
                 lower_joint_words(lowering, words, lowered, beside)
         else:
-            _lower_link(lowering, node, names.link, out, beside)
+            link, words = take_words(node, LINK_WORDS)
+            lowered = lower_link(lowering, link, names.link)
+            out.append(lowered)
+            if words:
+                lowering.has_words = True
+                lower_link_words(lowering, words, lowered, beside)
+            surfaces = surfaces_in(link)
+            if surfaces:
+                lowering.has_words = True
+                from .extras import lower_surfaces
+
+                lower_surfaces(lowering, surfaces, names.link, beside)
     if "link" not in fields.keys:
         span = fields.keys.get("name", part).span
         out.append(Element("link", span, attributes={"name": names.link}, trace=lowering.trace))
     out += beside
     out += pending
-
-
-def _lower_link(
-    lowering: Lowering, key: Element, name: str, out: list[Node], beside: list[Node]
-) -> None:
-    """Append the link, and to `beside` what the words in it make."""
-    link, words = take_words(key, LINK_WORDS)
-    lowered = lower_link(lowering, link, name)
-    out.append(lowered)
-    if words:
-        lowering.has_words = True
-        lower_link_words(lowering, words, lowered, beside)
-    surfaces = surfaces_in(link)
-    if surfaces:
-        lowering.has_words = True
-        from .extras import lower_surfaces
-
-        lower_surfaces(lowering, surfaces, name, beside)
 
 
 def _lower_beside(lowering: Lowering, node: Element, out: list[Node]) -> None:

@@ -134,7 +134,13 @@ def _read_origin(lowering: Lowering, fields: Fields, origin: Element) -> Pose:
                 notes=(f"'origin' is given at {origin.span.place()}",),
                 trace=origin.trace,
             )
-    if _is_none(origin):
+    children = origin.children
+    if (
+        len(children) == 1
+        and isinstance(children[0], Text)
+        and children[0].value == "none"
+        and not origin.attributes
+    ):
         return NO_ORIGIN
     record = read_record(lowering, origin, None)
     refuse_misspelt(record, POSE_ROWS)
@@ -152,16 +158,6 @@ def _read_origin(lowering: Lowering, fields: Fields, origin: Element) -> Pose:
         spans[name] = record.span(name)
         rows[name] = _numbers(lowering, value, spans[name], name, origin.trace)
     return _place(rows.get("xyz"), rows.get("rpy"), rows.get("pivot"), origin.span, spans)
-
-
-def _is_none(origin: Element) -> bool:
-    children = origin.children
-    return (
-        len(children) == 1
-        and isinstance(children[0], Text)
-        and children[0].value == "none"
-        and not origin.attributes
-    )
 
 
 def _read_vector(lowering: Lowering, key: Element, spans: dict[str, Span]) -> Numbers:

@@ -79,7 +79,10 @@ def _groups(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
             if key.name == "end_effector":
                 note.attributes["end_effector"] = one_of(key, TRUTHS)
             elif key.name == "parent":
-                _refer(lowering, note, "parent_link", key)
+                value, span = read_value(key)
+                note.attributes["parent_link"] = word_of(key.name, value, span, owner=key)
+                note.value_spans = {**(note.value_spans or {}), "parent_link": span}  # type: ignore[dict-item]
+                lowering.references.append((note, "parent_link"))
             else:
                 _add_members(lowering, note, key)
         out.append(note)
@@ -204,10 +207,3 @@ def _note(
     lowering: Lowering, kind: str, key: Element, attributes: Mapping[str, object]
 ) -> RobotNote:
     return RobotNote(kind, key.span, dict(attributes), trace=lowering.trace)
-
-
-def _refer(lowering: Lowering, note: RobotNote, attribute: str, key: Element) -> None:
-    value, span = read_value(key)
-    note.attributes[attribute] = word_of(key.name, value, span, owner=key)
-    note.value_spans = {**(note.value_spans or {}), attribute: span}  # type: ignore[dict-item]
-    lowering.references.append((note, attribute))

@@ -139,20 +139,16 @@ class TagSpan(Span):
         try:
             values = self._values
         except AttributeError:  # most tags are never asked
-            values = self._values = self._find_values()
+            values = self._values = {}
+            text, position = self.source.text, self.end
+            while (found := _ATTRIBUTE.match(text, position)) and found["name"]:
+                start, end = found.span("value")
+                is_empty = start + 1 == end - 1
+                # An empty value is at its name.
+                place = found.span("name") if is_empty else (start + 1, end - 1)
+                values.setdefault(found["name"], Span(self.source, *place))
+                position = found.end()
         return values.get(attribute)
-
-    def _find_values(self) -> dict[str, Span]:
-        """Return the places of all values; that of an empty value is its name."""
-        values: dict[str, Span] = {}
-        text, position = self.source.text, self.end
-        while (found := _ATTRIBUTE.match(text, position)) and found["name"]:
-            start, end = found.span("value")
-            is_empty = start + 1 == end - 1
-            place = found.span("name") if is_empty else (start + 1, end - 1)
-            values.setdefault(found["name"], Span(self.source, *place))
-            position = found.end()
-        return values
 
 
 _ATTRIBUTE = re.compile(
@@ -203,15 +199,6 @@ class _Reader:
         if declaration:  # its encoding is no longer that of the text, and its version is nobody's
             text = " " * declaration.end() + text[declaration.end() :]
         self._bytes = text.encode("utf-8", "surrogatepass")
-        self._parser = parser = self._new_parser()
-        try:
-            parser.Parse(self._bytes, True)
-        except ExpatError as error:
-            raise self._fault(error) from None
-        assert self._root is not None
-        return XmlDocument(self._root, self._before, self._after)
-
-    def _new_parser(self) -> Any:
         from pyexpat import ParserCreate
 
         parser = ParserCreate("utf-8")
@@ -224,7 +211,13 @@ class _Reader:
         if self._exact:
             parser.StartCdataSectionHandler = self._start_cdata
             parser.EndCdataSectionHandler = self._end_cdata
-        return parser
+        self._parser = parser
+        try:
+            parser.Parse(self._bytes, True)
+        except ExpatError as error:
+            raise self._fault(error) from None
+        assert self._root is not None
+        return XmlDocument(self._root, self._before, self._after)
 
     # --- what expat reports-------------------------------------------------------------------
 
@@ -313,18 +306,14 @@ class _Reader:
         end = self._here()
         start = end - len(text)
         if not self._source.text.startswith(text, max(start, 0)):
-            start = self._text_start()
+            token = self._offset(self._token)
+            found = _TOKEN.match(self._source.text, token)
+            start = found.end() if found else token  # the last tag, comment or similar ends there
         span = Span(self._source, start, max(start, end))
         made = CData(text, span) if self._is_cdata else Text(text, span)
         self._open[-1].children.append(made)
         if self._exact and not self._is_cdata and text.isspace():
             self._spaces[text] = made
-
-    def _text_start(self) -> int:
-        """Return where the last tag, comment or similar ends."""
-        token = self._offset(self._token)
-        found = _TOKEN.match(self._source.text, token)
-        return found.end() if found else token
 
     def _check_prefixes(self, element: Element) -> None:
         """Refuse prefixes that are not declared here, having noted those that are."""

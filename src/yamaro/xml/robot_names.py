@@ -53,20 +53,17 @@ class RobotNames:
         """
         for element in elements:
             for inner in element.iter():
-                self._rename(inner, change)
-
-    def _rename(self, element: Element, change: Callable[[str], str]) -> None:
-        for name, value in element.attributes.items():
-            known = self._named_by(element) if name == "name" else self._referred_to_by(name)
-            if known:
-                element.attributes[name] = _renamed(format_value(value), known, change)
-        known = self._referred_to_by(element.name)
-        if element.name == "param":  # of ros2_control: what it is called is an attribute
-            known = self._referred_to_by(_name(element))
-        if known:
-            for child in element.children:
-                if isinstance(child, Text):
-                    child.value = _renamed(format_value(child.value), known, change)
+                for name, value in inner.attributes.items():
+                    known = self._named_by(inner) if name == "name" else self._referred_to_by(name)
+                    if known:
+                        inner.attributes[name] = _renamed(format_value(value), known, change)
+                known = self._referred_to_by(inner.name)
+                if inner.name == "param":  # of ros2_control: what it is called is an attribute
+                    known = self._referred_to_by(_name(inner))
+                if known:
+                    for child in inner.children:
+                        if isinstance(child, Text):
+                            child.value = _renamed(format_value(child.value), known, change)
 
     def _named_by(self, element: Element) -> set[str]:
         if element.name in _BODIES:

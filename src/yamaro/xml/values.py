@@ -138,10 +138,6 @@ def format_value(value: Any) -> str:
         return str(value)
     if value is None:
         return ""
-    return _format_other(value)
-
-
-def _format_other(value: Any) -> str:
     if type(value) is Numbers:
         return value.text
     plain = plain_value(value)

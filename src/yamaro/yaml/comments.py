@@ -8,7 +8,6 @@ from .libyaml import DeepParser, YAMLError
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator
-    from typing import Any
 
 
 class Comment(Span):
@@ -54,23 +53,14 @@ def _gaps(text: str) -> Iterator[tuple[int, int]]:
             start, end = token.start_mark.index, token.end_mark.index
             if start > at:
                 yield at, start
-            if _is_block_scalar(token):
-                yield _header(text, start)
+            if getattr(token, "style", None) in ("|", ">"):
+                yield start + 1, _end_of_line(text, start, len(text))
             at = max(at, end)
     except YAMLError:  # a fault that its explanation found elsewhere
         return
     finally:
         parser.dispose()
     yield at, len(text)
-
-
-def _is_block_scalar(token: Any) -> bool:
-    return getattr(token, "style", None) in ("|", ">")
-
-
-def _header(text: str, start: int) -> tuple[int, int]:
-    """Return the rest of the line behind the sign that begins a block scalar."""
-    return start + 1, _end_of_line(text, start, len(text))
 
 
 def _end_of_line(text: str, start: int, end: int) -> int:

@@ -347,28 +347,20 @@ def type_plain(text: str) -> object:
         return _CONSTANTS[text]
     if text[0] not in _NUMBER_STARTS:
         return text
-    return _type_number(text)
-
-
-def _type_number(text: str) -> object:
     digits = text[1:] if text[0] in "+-" else text
     if digits.isdigit() and digits.isascii():
         if len(digits) > MAX_DIGITS:
             raise OverflowError(text)
         return int(text)
     if text.startswith(("0x", "0o")):
-        return _type_based(text)
+        digits = text[2:]
+        base, allowed = (16, "0123456789abcdefABCDEF") if text[1] == "x" else (8, "01234567")
+        if digits and all(digit in allowed for digit in digits):
+            return int(digits, base)
+        return text
     if _FLOAT_CHARACTERS.issuperset(text):
         try:
             return float(text)
         except ValueError:
             return text
     return _SPECIAL_FLOATS.get(text, text)
-
-
-def _type_based(text: str) -> object:
-    digits = text[2:]
-    base, allowed = (16, "0123456789abcdefABCDEF") if text[1] == "x" else (8, "01234567")
-    if digits and all(digit in allowed for digit in digits):
-        return int(digits, base)
-    return text

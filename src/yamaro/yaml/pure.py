@@ -30,7 +30,9 @@ class PureParser(yaml.SafeLoader):
         if self.index == 0 and self.peek() == "\ufeff":
             self.forward()
         while True:
-            while self.peek() == " " or (self.peek() == "\t" and self._is_tab_allowed()):
+            while self.peek() == " " or (
+                self.peek() == "\t" and (bool(self.flow_level) or not self.allow_simple_key)
+            ):
                 self.forward()
             if self.peek() == "#":
                 while self.peek() not in _LINE_ENDS:
@@ -39,9 +41,6 @@ class PureParser(yaml.SafeLoader):
                 return
             if not self.flow_level:
                 self.allow_simple_key = True
-
-    def _is_tab_allowed(self) -> bool:
-        return bool(self.flow_level) or not self.allow_simple_key
 
     def scan_plain(self) -> Any:
         """Return the token of a text without quotes."""

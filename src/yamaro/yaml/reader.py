@@ -166,7 +166,10 @@ def _warn_of_comments(source: Source, root: YamlNode, reporter: Reporter) -> Non
             _, column = source.location(at)
             if not text[at - column + 1 : at].strip(" -"):
                 scalars = scalars or _places_of_scalars(root)
-                if not _is_in_one(at, scalars):
+                from bisect import bisect_right
+
+                index = bisect_right(scalars, (at, sys.maxsize)) - 1
+                if index < 0 or at >= scalars[index][1]:
                     from ..fixes import replacement
 
                     span, entry = Span(source, at, at + len(word)), f"<{word[:-1]}>:"
@@ -193,13 +196,6 @@ def _places_of_scalars(root: YamlNode) -> list[tuple[int, int]]:
             seen.add(id(node))
             pending.extend(children_of(node))
     return sorted(places)
-
-
-def _is_in_one(offset: int, places: list[tuple[int, int]]) -> bool:
-    from bisect import bisect_right
-
-    index = bisect_right(places, (offset, sys.maxsize)) - 1
-    return index >= 0 and offset < places[index][1]
 
 
 # --- builder ----------------------------------------------------------------------------------
@@ -362,7 +358,13 @@ class NodeBuilder:
 
     def _open(self, event: Any, kind: Any) -> MappingNode | SequenceNode:
         if len(self.stack) > self.limits.yaml_depth:
-            self._refuse_depth(event)
+            raise failure(
+                "too-deep",
+                f"lists and mappings are nested more than {self.limits.yaml_depth} deep",
+                self.span(event.start_mark.index, event.end_mark.index),
+                hint="split the file with functions or `include`; "
+                "--limit yaml-depth=… sets another limit",
+            )
         if event.tag is not None:
             self._refuse_tag(event)
         make = MappingNode if kind is MappingStartEvent else SequenceNode
@@ -385,16 +387,13 @@ class NodeBuilder:
             end = event.end_mark.index
         node.end = self.place(end)
         if self.open_anchors:
-            self._close_anchor(node)
+            for name, opened in list(self.open_anchors.items()):
+                if opened is node:
+                    del self.open_anchors[name]
+                    self.anchors[name] = opened
         if node is self.open_flow:
             self.open_flow = None
         return end
-
-    def _close_anchor(self, node: YamlNode) -> None:
-        for name, opened in list(self.open_anchors.items()):
-            if opened is node:
-                del self.open_anchors[name]
-                self.anchors[name] = node
 
     def _after_properties(self, start: int) -> int:
         """Return where a node's own text begins, after its anchor and comments."""
@@ -542,15 +541,6 @@ class NodeBuilder:
             "a key must be a plain or quoted text, not a list or mapping",
             node.span(),
             hint=_hint_for_key(self.source, node),
-        )
-
-    def _refuse_depth(self, event: Any) -> None:
-        raise failure(
-            "too-deep",
-            f"lists and mappings are nested more than {self.limits.yaml_depth} deep",
-            self.span(event.start_mark.index, event.end_mark.index),
-            hint="split the file with functions or `include`; "
-            "--limit yaml-depth=… sets another limit",
         )
 
     def _is_second_document(self, event: Any) -> bool:

@@ -96,7 +96,9 @@ class Recovery:
             return at < len(self._source.text) and not is_binary(self._source.text)
         if builder.open_flow is not None:
             at = min(at, builder.open_flow.start)
-        line = self._line_of(at)
+        line = self._line_at(at)
+        while line > 0 and self._is_blank(line, self._source.text):
+            line -= 1
         times = self._times.get(line, 0)
         self._times[line] = times + 1
         if not times and not self._is_caused_by_hiding(fault, line):
@@ -110,15 +112,11 @@ class Recovery:
     def _is_caused_by_hiding(self, fault: Diagnostic, line: int) -> bool:
         """Return whether a fault is likely to be there only because something is hidden."""
         return (
-            self._is_blanked(line)
+            (self._is_blank(line, self._text) and not self._is_blank(line, self._source.text))
             or (line == self._behind and fault.code in _STRUCTURE)
             # Faults are met in order, so this one goes across what is hidden.
             or fault.span.start < self._furthest
         )
-
-    def _is_blanked(self, line: int) -> bool:
-        """Return whether all of a line is hidden; one of white space was never anything else."""
-        return self._is_blank(line, self._text) and not self._is_blank(line, self._source.text)
 
     def _hide_in(self, line: int, at: int, extent: int) -> None:
         """Hide the value, the entry or all of a line, and what belongs to it below."""
@@ -214,13 +212,6 @@ class Recovery:
 
     def _line_at(self, offset: int) -> int:
         return bisect_right(self._starts, offset) - 1
-
-    def _line_of(self, offset: int) -> int:
-        """Return the line at an offset, or the last one above it in which something stands."""
-        line = self._line_at(offset)
-        while line > 0 and self._is_blank(line, self._source.text):
-            line -= 1
-        return line
 
     def _next_line(self, line: int) -> int:
         """Return the first line from `line` on that holds more than a comment."""
@@ -321,18 +312,15 @@ def refuse_characters(source: Source) -> None:
         _refuse_character(source, min(found))
     breaks = [at for char in _OTHER_BREAKS if (at := text.find(char)) >= 0]
     if breaks:
-        _refuse_break(source, min(breaks))
-
-
-def _refuse_break(source: Source, at: int) -> NoReturn:
-    """Refuse what ends a line, a comment too, for YAML 1.1 but not for YAML 1.2 and editors."""
-    char = source.text[at]
-    raise failure(
-        "control-character",
-        f"the character U+{ord(char):04X} ends a line for some YAML parsers",
-        Span(source, at, at + 1),
-        hint=f'delete this invisible character; in a text write "{_OTHER_BREAKS[char]}" for it',
-    )
+        # They end a line, a comment too, for YAML 1.1 but not for YAML 1.2 and editors.
+        at = min(breaks)
+        char = source.text[at]
+        raise failure(
+            "control-character",
+            f"the character U+{ord(char):04X} ends a line for some YAML parsers",
+            Span(source, at, at + 1),
+            hint=f'delete this invisible character; in a text write "{_OTHER_BREAKS[char]}" for it',
+        )
 
 
 def _refuse_character(source: Source, at: int) -> NoReturn:
@@ -421,7 +409,8 @@ class _Lines:
         for span in hidden:
             first = source.location(span.start)[0]
             last = source.location(max(span.end - 1, span.start))[0]
-            depth = self._depth_of_key(first)
+            text = self._source.line_text(first)
+            depth = 2 * (len(text) - len(text.lstrip(" -")))
             self.hidden.update(range(first, last + 1))
             self._look_beside(depth, range(first - 1, 0, -1))
             self._look_beside(depth, range(last + 1, count + 1))
@@ -451,8 +440,3 @@ class _Lines:
         if not words.strip() or words.startswith("#"):
             return None
         return 2 * (len(text) - len(words)) + words.startswith("- ")
-
-    def _depth_of_key(self, line: int) -> int:
-        """Return how deep the first key of a line is."""
-        text = self._source.line_text(line)
-        return 2 * (len(text) - len(text.lstrip(" -")))
