@@ -12,12 +12,14 @@ from typing import TYPE_CHECKING
 import pytest
 
 from yamaro.codes import LOSSES
+from yamaro.commands.command_table import BUILD
 from yamaro.commands.main import main
+from yamaro.commands.option_table import OPTIONS, help_of
 from yamaro.sandbox import jail
 from yamaro.syntax.names import RAW_BLOCKS
 from yamaro.targets.holding import FORMATS
 from yamaro.targets.output import MARK, Output
-from yamaro.targets.table import TARGETS, Target
+from yamaro.targets.table import BASES, TARGETS, Target
 
 if TYPE_CHECKING:
     from yamaro.model.robot import Robot
@@ -58,6 +60,12 @@ def test_the_page_of_output_formats_says_what_their_files_are_called() -> None:
     page = (ROOT / "docs/outputs.md").read_text(encoding="utf-8")
     rows = re.findall(r"^\| `(\w+)` \|.*\| `NAME(\S+)`", page, re.MULTILINE)
     assert dict(rows) == {each.name: each.ending for each in TARGETS.values()}
+
+
+def test_options_list_the_targets_and_what_can_be_chosen_for_them() -> None:
+    assert f"formats: {', '.join(TARGETS)}, separated" in " ".join(help_of(BUILD).split())
+    assert OPTIONS["sdf-version"].choices == TARGETS["sdf"].versions
+    assert OPTIONS["base"].choices == BASES
 
 
 def test_blocks_and_losses_are_of_targets() -> None:

@@ -152,7 +152,9 @@ def _add_short_options(arguments: Arguments, word: str, pending: list[str]) -> N
 
 def _next_value(name: str, option: Option, pending: list[str]) -> str:
     if not pending:
-        raise WrongUsage(f"'{name}' needs {option.wants} after it")
+        from .option_table import with_formats
+
+        raise WrongUsage(f"'{name}' needs {with_formats(option.wants)} after it")
     return pending.pop()
 
 

@@ -6,7 +6,6 @@ where it has an effect.
 
 from __future__ import annotations
 
-from ..targets.table import BASES, TARGETS
 from .command_table import BUILD, COMMANDS, all_commands, command_named, named_commands
 from .reports import WrongUsage, deliver, near, quote
 
@@ -25,8 +24,6 @@ WORKING = (
     "quiet", "trust", "jail", "safe", "timeout", "allow-path", "limit", "package", "color",
 )  # fmt: skip
 """Those of commands that run files."""
-FORMATS = ", ".join(TARGETS)
-SDF_VERSIONS = TARGETS["sdf"].versions
 WRITING = ("base", "repair-inertia", "sdf-version")
 """Those of commands that write output formats."""
 
@@ -38,14 +35,14 @@ class Option:
         name: the long form, without the dashes.
         short: the letter of its short form, or "".
         value: what is written after it, as the help shows it; "" for an option without a value.
-        wants: what the value is, for messages.
-        help: what it does; up to the first `;`, `:` or `(` also for shells.
+        wants: what the value is, for messages; see `with_formats`.
+        help: what it does; up to the first `;`, `:` or `(` also for shells; see `with_formats`.
         help_in: what it does in commands where that is something else.
         commands: the names of the commands of the core that take it.
         is_repeatable: whether it may be given several times; `Arguments.lists` holds the values.
         choices: the values it can have; any if empty.
         completes: what a shell offers for the value: "files", "commands", or words with spaces in
-            between; "limits" and "codes" mean the words of those tables.
+            between; "limits", "codes" and "formats" mean the words of those tables.
         excludes: names of the options that may not be given with it.
     """
 
@@ -159,13 +156,13 @@ OPTIONS = {
         ),
         Option(
             "to",
-            f"write these output formats: {FORMATS}, separated by commas; several need a folder: "
+            "write these output formats: {formats}, separated by commas; several need a folder: "
             "-o FOLDER/",
             BOTH,
             value="FORMATS",
-            wants=" or ".join(FORMATS.rsplit(", ", 1)),
+            wants="{formats or}",
             is_repeatable=True,
-            completes=FORMATS.replace(",", ""),
+            completes="formats",
             help_in={"check": "also report what these output formats cannot hold: urdf, sdf, ..."},
         ),
         Option(
@@ -175,7 +172,7 @@ OPTIONS = {
             BOTH,
             value="HOW",
             wants="fixed or free",
-            choices=BASES,
+            choices=("fixed", "free"),
         ),
         Option(
             "repair-inertia",
@@ -184,11 +181,11 @@ OPTIONS = {
         ),
         Option(
             "sdf-version",
-            f"version of SDF: {SDF_VERSIONS[0]} (the default), {' or '.join(SDF_VERSIONS[1:])}",
+            "version of SDF: 1.11 (the default), 1.9 or 1.12",
             BOTH,
             value="VERSION",
-            wants=" or ".join(", ".join(SDF_VERSIONS).rsplit(", ", 1)),
-            choices=SDF_VERSIONS,
+            wants="1.11, 1.9 or 1.12",
+            choices=("1.11", "1.9", "1.12"),
         ),
         Option(
             "gazebo",
@@ -333,6 +330,20 @@ def option_spelled(spelling: str, command: str) -> Option | None:
     return SPELLINGS.get(spelling) or all_spellings().get(spelling)
 
 
+def with_formats(text: str) -> str:
+    """Return what is said of an option, with the output formats in place of `{formats}`.
+
+    The table of targets is loaded only when they are said.
+    """
+    if "{formats" not in text:
+        return text
+    from ..targets.table import TARGETS
+
+    *most, last = TARGETS
+    text = text.replace("{formats}", ", ".join(TARGETS))
+    return text.replace("{formats or}", f"{', '.join(most)} or {last}")
+
+
 # --- `yamaro help`, `yamaro COMMAND --help` ---------------------------------------------------
 
 
@@ -388,6 +399,7 @@ def help_of(name: str) -> str:
 
 def _option(option: Option, command: Command) -> list[str]:
     text = command.help_of.get(option.name) or option.help_in.get(command.name, option.help)
+    text = with_formats(text)
     if option.is_repeatable:
         text += "; may be repeated"
     if option.name == "safe" and command.looks:

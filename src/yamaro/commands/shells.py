@@ -45,8 +45,9 @@ def _offered(option: Option) -> str:
     """Return the words that a shell offers as the value of an option."""
     from ..codes import ADJUSTABLE
     from ..policy import limit_names
+    from ..targets.table import TARGETS
 
-    tables = {"limits": limit_names(), "codes": sorted(ADJUSTABLE)}
+    tables = {"limits": limit_names(), "codes": sorted(ADJUSTABLE), "formats": list(TARGETS)}
     return " ".join(tables.get(option.completes, [option.completes]))
 
 

@@ -6,8 +6,6 @@ module `writer` has the function `write`.
 
 from __future__ import annotations
 
-from importlib import import_module
-
 from ..diagnostics import WARNING, Diagnostic, YamaroError, failure
 from .output import FOLDER, is_file_stem
 
@@ -172,6 +170,8 @@ def write_target(robot: Robot, wanted: Wanted) -> Output:
     Raises:
         YamaroError: the format cannot hold it.
     """
+    from importlib import import_module
+
     target = TARGETS[wanted.format]
     name = f"{__package__}.{target.name}"
     try:

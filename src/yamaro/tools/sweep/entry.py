@@ -6,7 +6,7 @@ import os
 
 from ...commands.arguments import make_policy, read_packages
 from ...commands.command_table import ENDINGS, FILE_WORDS, Command
-from ...commands.option_table import BUILDING, FORMATS, WRITING, Option
+from ...commands.option_table import BUILDING, WRITING, Option
 from ...commands.reports import (
     DONE,
     INPUT_ERROR,
@@ -131,7 +131,7 @@ COMMAND = Command(
     ),
     help_of={
         "output": ("the folder of the sweep: runs/; with 'show' and 'plot', a file"),
-        "to": f"build these output formats: {FORMATS}, separated by commas",
+        "to": "build these output formats: {formats}, separated by commas",
         "quiet": ("show errors only: no summary"),
         "timeout": ("end a variant that takes longer; 60 by default"),
     },
