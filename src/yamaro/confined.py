@@ -8,7 +8,7 @@ from time import monotonic
 
 from .diagnostics import YamaroError, failure_of_all
 from .files.packages import MODEL_PATHS
-from .policy import JAIL, NO_JAIL, USUAL_SECONDS, Limits, Policy
+from .policy import JAIL, NO_JAIL, USUAL_SECONDS, Policy
 from .runtime.interpreter import Messages
 from .sandbox.deadline import TimeOver, run_within
 from .sandbox.deep_stack import run_on_deep_stack
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from typing import TypeVar
 
     from .files.readable import Reach
-    from .sandbox.jail import JailError, JailLimits
+    from .sandbox.jail import JailError
     from .sandbox.transfer import Outcome
 
     T = TypeVar("T")
@@ -167,7 +167,7 @@ def run_in_jail(
 
 def _data_of_jail(work: Callable[[], bytes], policy: Policy, reach: Reach | None) -> bytes:
     """Return what `work` returns in a jail, where it can read the packages that it wants."""
-    from .sandbox.jail import KEPT_VARIABLES, JailAnswerBroken, pack, run_jailed, unpack
+    from .sandbox.jail import KEPT_VARIABLES, JailAnswerBroken, JailLimits, pack, run_jailed, unpack
 
     def work_in_jail() -> bytes:
         policy.is_confined = True  # in this process, which is a copy
@@ -177,11 +177,19 @@ def _data_of_jail(work: Callable[[], bytes], policy: Policy, reach: Reach | None
         data = work()
         return pack([pack([each.encode() for each in reach.wanted[:MOST_WANTED]]), data])
 
+    seconds = _seconds(policy)
+    limits = JailLimits(
+        seconds=seconds + GRACE,  # the conversion itself can report where it spends its time
+        cpu_seconds=int(seconds + GRACE) + 1,
+        memory=policy.limits.memory,
+        answer=4 * policy.limits.output + (64 << 20),
+        is_abandoned=policy.is_abandoned,
+    )
     while True:
         answer = run_jailed(
             work_in_jail,
             readable=() if reach is None else reach.roots,
-            limits=_jail_limits(policy),
+            limits=limits,
             environment=[*KEPT_VARIABLES, *MODEL_PATHS],
         )
         try:
@@ -301,21 +309,6 @@ def no_jail(reason: str, name: str) -> YamaroError:
 
 def _seconds(policy: Policy) -> float:
     return policy.timeout or USUAL_SECONDS
-
-
-def _jail_limits(policy: Policy) -> JailLimits:
-    """Return what a jail lets a conversion use."""
-    from .sandbox.jail import JailLimits
-
-    limits: Limits = policy.limits
-    seconds = _seconds(policy)
-    return JailLimits(
-        seconds=seconds + GRACE,  # the conversion itself can report where it spends its time
-        cpu_seconds=int(seconds + GRACE) + 1,
-        memory=limits.memory,
-        answer=4 * limits.output + (64 << 20),
-        is_abandoned=policy.is_abandoned,
-    )
 
 
 def failure_of_jail(error: JailError, policy: Policy, name: str) -> YamaroError:

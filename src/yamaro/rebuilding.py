@@ -211,7 +211,13 @@ class Rebuilder:
                 raise
             turn = Turn(None, [], fault=str(error))
         turn.seconds = time.perf_counter() - start
-        self._watch.follow(self._taking_part(turn), since=since)
+        paths = [os.path.abspath(self.path)]  # whose change calls for another build
+        if turn.build is not None:
+            paths += [*turn.build.files, *turn.build.meshes]
+        else:
+            told = [path for diagnostic in turn.diagnostics for path in _files_of(diagnostic)]
+            paths += [*self._watch.paths, *told, *surroundings(paths[0])]
+        self._watch.follow(list(dict.fromkeys(paths)), since=since)
         self._last = turn
         return turn
 
@@ -278,14 +284,6 @@ class Rebuilder:
         """Return when a file has changed."""
         while not self.has_changed():
             time.sleep(INTERVAL)
-
-    def _taking_part(self, turn: Turn) -> list[str]:
-        """Return the files whose change calls for another build."""
-        main = os.path.abspath(self.path)
-        if turn.build is not None:
-            return list(dict.fromkeys([main, *turn.build.files, *turn.build.meshes]))
-        told = [path for diagnostic in turn.diagnostics for path in _files_of(diagnostic)]
-        return list(dict.fromkeys([main, *self._watch.paths, *told, *surroundings(main)]))
 
 
 def _drop(message: str) -> None:

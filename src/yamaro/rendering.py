@@ -140,28 +140,24 @@ def trace_lines(trace: Frame | None) -> list[str]:
             seen.add(id(step))
             steps.append(step)
             step = step.parent
-    lines = _fold(f"in {step.name}, {step.kind} at {step.span.place()}" for step in steps)
-    if len(lines) > MAX_TRACE_LINES:
-        keep = MAX_TRACE_LINES // 2
-        hidden = len(lines) - 2 * keep
-        lines[keep:-keep] = [f"… {hidden} more steps …"]
-    return lines
-
-
-def _fold(lines: Iterable[str]) -> list[str]:
-    """Return lines with those that repeat the line before counted in place of shown."""
-    folded: list[str] = []
+    folded: list[str] = []  # those that repeat the line before are counted
     times: list[int] = []
-    for line in lines:
+    for one in steps:
+        line = f"in {one.name}, {one.kind} at {one.span.place()}"
         if folded and folded[-1] == line:
             times[-1] += 1
         else:
             folded.append(line)
             times.append(1)
-    return [
+    lines = [
         line if number == 1 else f"{line} ({number} times)"
         for line, number in zip(folded, times, strict=True)
     ]
+    if len(lines) > MAX_TRACE_LINES:
+        keep = MAX_TRACE_LINES // 2
+        hidden = len(lines) - 2 * keep
+        lines[keep:-keep] = [f"… {hidden} more steps …"]
+    return lines
 
 
 def _excerpt(span: Span) -> tuple[int, str, str]:
@@ -170,7 +166,11 @@ def _excerpt(span: Span) -> tuple[int, str, str]:
     text = span.source.line_text(line_number)
     start = min(column - 1, len(text))
     end = min(max(start + (span.end - span.start), start + 1), max(len(text), start + 1))
-    left, right = _window(text, start, end)
+    left, right = 0, len(text)
+    if right > MAX_EXCERPT_COLUMNS:  # the span, with some text around it
+        room = MAX_EXCERPT_COLUMNS - min(end - start, MAX_EXCERPT_COLUMNS // 2)
+        left = max(0, start - room // 2)
+        right = min(right, left + MAX_EXCERPT_COLUMNS)
     before = "…" if left > 0 else ""
     after = "…" if right < len(text) else ""
     excerpt = before + printable(text[left:right]) + after
@@ -180,12 +180,3 @@ def _excerpt(span: Span) -> tuple[int, str, str]:
     marked = text[start : min(end, right)]
     underline = "^" * max(width(printable(marked)), 1)
     return line_number, excerpt, pad + underline
-
-
-def _window(text: str, start: int, end: int) -> tuple[int, int]:
-    """Return the part of a long line to show: the span, with some text around it."""
-    if len(text) <= MAX_EXCERPT_COLUMNS:
-        return 0, len(text)
-    room = MAX_EXCERPT_COLUMNS - min(end - start, MAX_EXCERPT_COLUMNS // 2)
-    left = max(0, start - room // 2)
-    return left, min(len(text), left + MAX_EXCERPT_COLUMNS)

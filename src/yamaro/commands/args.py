@@ -15,7 +15,6 @@ from ..syntax.argument_section import (
     NUMERIC,
     PATH,
     TEXT,
-    ArgumentEntry,
 )
 from .arguments import Arguments, make_policy, read_packages
 from .conversion import end_process, read_pipe
@@ -99,38 +98,33 @@ def schema_of(listing: Listing) -> Json:
 
 
 def _property(declared: Declared) -> Json:
-    told = _of_entry(declared.entry) if declared.entry is not None else {}
+    told: Json = {}
+    if (entry := declared.entry) is not None:
+        if entry.help:
+            told["description"] = entry.help
+        if entry.kind in _TYPES:
+            kind = _TYPES[entry.kind]
+            told["type"] = [kind, "null"] if entry.is_null_allowed else kind
+        if entry.kind == PATH:
+            told["format"] = "path"
+        if entry.choices is not None:
+            choices = [
+                entry.in_unit(choice)
+                if entry.kind in NUMERIC and isinstance(choice, (int, float))
+                else choice
+                for choice in entry.choices
+            ]
+            told["enum"] = [*choices, None] if entry.is_null_allowed else choices
+        numbers = {"minimum": entry.low, "maximum": entry.high, "x-step": entry.step}
+        for word, number in numbers.items():
+            if number is not None:
+                told[word] = entry.in_unit(number)
+        if entry.is_log:
+            told["x-log"] = True
+        if entry.unit_text:
+            told["x-unit"] = entry.unit_text
     if declared.has_value:
         told["default"] = declared.default
     elif declared.default_text is not None:
         told["x-default"] = declared.default_text
     return told
-
-
-def _of_entry(entry: ArgumentEntry) -> Json:
-    told: Json = {}
-    if entry.help:
-        told["description"] = entry.help
-    if entry.kind in _TYPES:
-        kind = _TYPES[entry.kind]
-        told["type"] = [kind, "null"] if entry.is_null_allowed else kind
-    if entry.kind == PATH:
-        told["format"] = "path"
-    if entry.choices is not None:
-        choices = [_in_unit(entry, choice) for choice in entry.choices]
-        told["enum"] = [*choices, None] if entry.is_null_allowed else choices
-    numbers = {"minimum": entry.low, "maximum": entry.high, "x-step": entry.step}
-    for word, number in numbers.items():
-        if number is not None:
-            told[word] = entry.in_unit(number)
-    if entry.is_log:
-        told["x-log"] = True
-    if entry.unit_text:
-        told["x-unit"] = entry.unit_text
-    return told
-
-
-def _in_unit(entry: ArgumentEntry, value: object) -> object:
-    if entry.kind in NUMERIC and isinstance(value, (int, float)):
-        return entry.in_unit(value)
-    return value

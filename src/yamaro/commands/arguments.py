@@ -93,7 +93,18 @@ def parse_arguments(argv: Sequence[str]) -> Arguments:
                 _add_word(arguments, pending.pop(), is_plain=False)
             return arguments
     if arguments.options:
-        _check_options(arguments)
+        from .option_table import options_of
+
+        options = {option.name: option for option in options_of(arguments.known_command)}
+        for name in arguments.options:
+            if name not in options:
+                is_build = arguments.command == BUILD
+                usage = "yamaro FILE" if is_build else f"yamaro {arguments.command}"
+                raise WrongUsage(f"'--{name}' cannot be used with '{usage}'")
+        for name, option in options.items():
+            for other in option.excludes:
+                if arguments.has(name) and arguments.has(other):
+                    raise WrongUsage(f"'--{name}' and '--{other}' cannot be combined")
     command = arguments.known_command
     if command.words and command.counts_words:
         check_words(arguments, command)
@@ -168,22 +179,6 @@ def _set_option(arguments: Arguments, name: str, option: Option, value: str) -> 
     if option.choices and value not in option.choices:
         raise WrongUsage(f"'{name}' takes {option.wants}, not {quote(value)}")
     arguments.options[option.name] = value
-
-
-def _check_options(arguments: Arguments) -> None:
-    """Refuse options that the command does not take, or that exclude each other."""
-    from .option_table import options_of
-
-    command = arguments.command
-    options = {option.name: option for option in options_of(arguments.known_command)}
-    for name in arguments.options:
-        if name not in options:
-            usage = "yamaro FILE" if command == BUILD else f"yamaro {command}"
-            raise WrongUsage(f"'--{name}' cannot be used with '{usage}'")
-    for name, option in options.items():
-        for other in option.excludes:
-            if arguments.has(name) and arguments.has(other):
-                raise WrongUsage(f"'--{name}' and '--{other}' cannot be combined")
 
 
 def check_words(arguments: Arguments, command: Command) -> None:

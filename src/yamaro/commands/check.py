@@ -51,7 +51,15 @@ def run(arguments: Arguments, streams: Streams) -> int:
         return max(status, _say(files, arguments, streams))
     if not goes_to_standard_output(arguments):
         _say(files, arguments, streams)
-    return max(status, deliver([_report(files, form).encode()], arguments, streams))
+    from .. import __version__
+    from .check_reports import github_report, json_report, junit_report, sarif_report
+
+    if form == "sarif":
+        report = sarif_report(files, __version__)
+    else:
+        reports = {"json": json_report, "github": github_report, "junit": junit_report}
+        report = reports[form](files)
+    return max(status, deliver([report.encode()], arguments, streams))
 
 
 def _each_file(arguments: Arguments) -> list[Arguments]:
@@ -131,26 +139,6 @@ def _say(files: Sequence[Checked], arguments: Arguments, streams: Streams) -> in
             fine.append(f"{each.name}: ok\n")
     is_written = goes_to_standard_output(arguments)
     return deliver(fine, arguments, streams) if fine and is_written else DONE
-
-
-def _report(files: Sequence[Checked], form: str) -> str:
-    if form == "json":
-        from .check_reports import json_report
-
-        return json_report(files)
-    if form == "sarif":
-        from .. import __version__
-        from .check_reports import sarif_report
-
-        return sarif_report(files, __version__)
-    if form == "github":
-        from .check_reports import github_report
-
-        return github_report(files)
-    assert form == "junit", form
-    from .check_reports import junit_report
-
-    return junit_report(files)
 
 
 # --- fixes --------------------------------------------------------------------------------------

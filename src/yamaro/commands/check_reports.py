@@ -382,12 +382,16 @@ def _rule(code: str) -> dict[str, Any]:
 def _result(
     checked: Checked, diagnostic: Diagnostic, index: int, prints: _Fingerprints
 ) -> dict[str, Any]:
+    location = _location(diagnostic.span)
+    if location is None:  # in no file, such as `name:=value`: the file as a whole
+        uri = file_uri(relative(checked.path) if checked.path else "stdin")
+        location = {"physicalLocation": {"artifactLocation": uri}}
     result: dict[str, Any] = {
         "ruleId": diagnostic.code,
         "ruleIndex": index,
         "level": WARNING if diagnostic.severity == ACCEPTED else diagnostic.severity,
         "message": {"text": message_of(diagnostic)},
-        "locations": [_location(diagnostic.span) or _whole(checked)],
+        "locations": [location],
         "partialFingerprints": {"yamaro/v1": prints.of(diagnostic)},
     }
     if diagnostic.severity == ACCEPTED:
@@ -396,20 +400,14 @@ def _result(
             {"kind": "inSource", "location": _location(each.span)} for each in comments
         ]
     flow = [_location(step.span, step.name) for step in steps_of(diagnostic.trace)]
-    steps = [location for location in reversed(flow) if location is not None]
+    steps = [step for step in reversed(flow) if step is not None]
     if steps:
-        steps.append(result["locations"][0])
+        steps.append(location)
         locations = [{"location": each} for each in steps]
         result["codeFlows"] = [{"threadFlows": [{"locations": locations}]}]
     if diagnostic.fix is not None and (fix := _replacements(diagnostic.fix)):
         result["fixes"] = [fix]
     return result
-
-
-def _whole(checked: Checked) -> dict[str, Any]:
-    """Return a file as a whole as the place of what is in no file, such as `name:=value`."""
-    place = file_uri(relative(checked.path) if checked.path else "stdin")
-    return {"physicalLocation": {"artifactLocation": place}}
 
 
 def _location(span: Span, name: str | None = None) -> dict[str, Any] | None:

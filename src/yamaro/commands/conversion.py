@@ -298,7 +298,10 @@ def read_bytes(path: str, most: int, seconds: float | None = None) -> bytes | No
             raise WrongUsage("standard input is closed")
         buffer = getattr(sys.stdin, "buffer", None)
         try:
-            descriptor = _descriptor_of(buffer)
+            descriptor: int | None = buffer.fileno()  # type: ignore[union-attr]
+        except (AttributeError, OSError, ValueError):  # it is one of Python's own
+            descriptor = None
+        try:
             if seconds is not None and os.name != "nt" and descriptor is not None:
                 return regular.read_within(descriptor, most, seconds)
             return sys.stdin.read(most).encode() if buffer is None else buffer.read(most)
@@ -314,11 +317,3 @@ def read_bytes(path: str, most: int, seconds: float | None = None) -> bytes | No
         if isinstance(error, OSError) and error.errno == regular.UNOPENED:
             raise WrongUsage(f"cannot read {quote(path)}: {error.strerror}") from None
         return None  # the loader says why
-
-
-def _descriptor_of(stream: object) -> int | None:
-    """Return the descriptor of a stream, or None for one of Python's own."""
-    try:
-        return stream.fileno()  # type: ignore[attr-defined, no-any-return]
-    except (AttributeError, OSError, ValueError):
-        return None

@@ -66,7 +66,13 @@ def write_depfile(build: Build, arguments: Arguments, streams: Streams) -> int:
         YamaroError: a name has a line break in it.
     """
     path = arguments.options["depfile"]
-    outputs = _outputs(build, arguments)
+    outputs = [arguments.options["output"]]  # as the command line names them
+    if arguments.has("to"):
+        from .formats import is_folder
+
+        builds = _builds(build)
+        if is_folder(arguments, [each.format for each in builds]):
+            outputs = [os.path.join(outputs[0], each.file_name) for each in builds]
     inputs = _inputs(build, "--depfile")
     if is_input(path, inputs):
         raise WrongUsage(f"the depfile {quote(path)} is one of the input files")
@@ -80,19 +86,6 @@ def write_depfile(build: Build, arguments: Arguments, streams: Streams) -> int:
         streams.say(f"yamaro: error: cannot write {quote(path)}: {error.strerror or error}")
         return INPUT_ERROR
     return DONE
-
-
-def _outputs(build: Build, arguments: Arguments) -> list[str]:
-    """Return the documents that are written, as the command line names them."""
-    path = arguments.options["output"]
-    if not arguments.has("to"):
-        return [path]
-    from .formats import is_folder
-
-    builds = _builds(build)
-    if not is_folder(arguments, [each.format for each in builds]):
-        return [path]
-    return [os.path.join(path, each.file_name) for each in builds]
 
 
 def _folders_of_missing(build: Build) -> list[str]:

@@ -61,7 +61,28 @@ def settle_arguments(
     Raises:
         YamaroError: with every argument that is unknown, missing or refused.
     """
-    faults = _unknown(entries, scope, include)
+    # An error for each name that is passed and not declared.
+    from ..diagnostics import meant
+
+    known = {entry.name: None for entry in entries}
+    faults = []
+    listed = "it has no arguments"
+    if known:
+        more = ", …" if len(known) > MOST_LISTED else ""
+        listed = f"its arguments are {', '.join(list(known)[:MOST_LISTED])}{more}"
+    places = {each.name: each.span for each in include.arguments} if include is not None else {}
+    for name in [name for name in scope if name in scope.passed and name not in known]:
+        span = places.get(name) or scope.place_of(name) or Span(scope.home.source, 0, 0)
+        hint, fix = meant(name, known, span)
+        faults.append(
+            Diagnostic(
+                "unknown-argument",
+                f"'{scope.home.source.name}' has no argument '{name}'",
+                span,
+                hint=hint or listed,
+                fix=fix,
+            )
+        )
     for entry in entries:
         try:
             _settle(entry, scope, values, include, is_whole=not faults)
@@ -155,36 +176,6 @@ def _given(name: str, scope: Scope, include: IncludeNode | None) -> _Given | Non
 
 
 # --- faults ---------------------------------------------------------------------------------------
-
-
-def _unknown(
-    entries: list[ArgumentEntry],
-    scope: Scope,
-    include: IncludeNode | None,
-) -> list[Diagnostic]:
-    """Return an error for each name that is passed and not declared."""
-    from ..diagnostics import meant
-
-    known = {entry.name: None for entry in entries}
-    faults = []
-    listed = "it has no arguments"
-    if known:
-        more = ", …" if len(known) > MOST_LISTED else ""
-        listed = f"its arguments are {', '.join(list(known)[:MOST_LISTED])}{more}"
-    places = {each.name: each.span for each in include.arguments} if include is not None else {}
-    for name in [name for name in scope if name in scope.passed and name not in known]:
-        span = places.get(name) or scope.place_of(name) or Span(scope.home.source, 0, 0)
-        hint, fix = meant(name, known, span)
-        faults.append(
-            Diagnostic(
-                "unknown-argument",
-                f"'{scope.home.source.name}' has no argument '{name}'",
-                span,
-                hint=hint or listed,
-                fix=fix,
-            )
-        )
-    return faults
 
 
 def _missing(entry: ArgumentEntry, scope: Scope, include: IncludeNode | None) -> YamaroError:

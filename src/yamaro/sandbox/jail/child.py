@@ -98,7 +98,17 @@ def live_in_jail(cell: Cell, work: Callable[[], bytes]) -> NoReturn:  # pragma: 
 def _is_confined(cell: Cell) -> bool:  # pragma: no cover
     try:
         _leave_parent(cell.parent)
-        _confine(cell)
+        # Confine this process for good.
+        architecture = here()
+        _replace_standard_streams()
+        _clear_environment(cell.environment)
+        _drop_capabilities(architecture)
+        _set_limits(cell.limits)
+        check(call(architecture.prctl, _PR_SET_NO_NEW_PRIVS, 1), "PR_SET_NO_NEW_PRIVS")
+        landlock.restrict(cell.ruleset)
+        _close_all_but(cell.writer)
+        seccomp.install(architecture, cell.program)
+        _prove_confined(architecture)
         _send(cell.writer, READY)
     except BaseException as error:
         text = f"the jail could not be set up: {error}"
@@ -151,22 +161,6 @@ def _leave_parent(parent: int) -> None:  # pragma: no cover
     signal.pthread_sigmask(signal.SIG_SETMASK, [])
 
 
-def _confine(cell: Cell) -> None:  # pragma: no cover
-    """Confine this process for good."""
-    architecture = here()
-    _replace_standard_streams()
-    _clear_environment(cell.environment)
-    _drop_capabilities(architecture)
-    _set_limits(cell.limits)
-    check(call(architecture.prctl, _PR_SET_NO_NEW_PRIVS, 1), "PR_SET_NO_NEW_PRIVS")
-    landlock.restrict(cell.ruleset)
-    if cell.writer > 3:
-        check(call(_CLOSE_RANGE, 3, cell.writer - 1), "close_range")
-    check(call(_CLOSE_RANGE, cell.writer + 1, _LAST_DESCRIPTOR), "close_range")
-    seccomp.install(architecture, cell.program)
-    _prove_confined(architecture)
-
-
 def _replace_standard_streams() -> None:  # pragma: no cover
     """Make all three /dev/null; Python's objects may be a test runner's or a notebook's."""
     null = os.open("/dev/null", os.O_RDWR)
@@ -175,6 +169,12 @@ def _replace_standard_streams() -> None:  # pragma: no cover
     sys.stdin = open(0, encoding="utf-8", closefd=False)  # noqa: SIM115
     sys.stdout = open(1, "w", encoding="utf-8", errors="replace", closefd=False)  # noqa: SIM115
     sys.stderr = open(2, "w", encoding="utf-8", errors="replace", closefd=False)  # noqa: SIM115
+
+
+def _close_all_but(writer: int) -> None:  # pragma: no cover
+    if writer > 3:
+        check(call(_CLOSE_RANGE, 3, writer - 1), "close_range")
+    check(call(_CLOSE_RANGE, writer + 1, _LAST_DESCRIPTOR), "close_range")
 
 
 def _clear_environment(kept_names: Sequence[str]) -> None:  # pragma: no cover

@@ -26,7 +26,6 @@ if TYPE_CHECKING:
     from ...streams import Streams
     from .plan import Plan
     from .running import Status
-    from .study import Study
 
 AXIS_HELP = (
     "thigh=0.2..0.4, thigh=0.2..0.4:0.05 in steps, legs=4,6, kp=log:10..500, gain=normal:1,0.05; "
@@ -283,25 +282,20 @@ def _plan(arguments: Arguments) -> Plan:
         repair_inertia=arguments.has("repair-inertia"),
         sdf_version=options.get("sdf-version"),
     )
-    plan = planned(study, wanted, axes=_axes(arguments, study))
-    for name in ("base", "repair-inertia", "sdf-version"):
-        if arguments.has(name) and not plan.targets():
-            raise WrongUsage(f"'--{name}' needs an output format, such as --to sdf")
-    return plan
-
-
-def _axes(arguments: Arguments, study: Study) -> dict[str, str]:
-    """Return the axes of the command line by the names of their arguments."""
-    found: dict[str, str] = {}
+    axes: dict[str, str] = {}
     for word in arguments.words[1:]:
         name, has_value, text = word.partition("=")
         if not has_value:
             hint = near(word, list(study.vary))
             raise WrongUsage(f"{quote(word)} is not an axis: write it as {word}=0.2..0.4{hint}")
-        if name in found:
+        if name in axes:
             raise WrongUsage(f"the axis {quote(name)} is given twice")
-        found[name] = text
-    return found
+        axes[name] = text
+    plan = planned(study, wanted, axes=axes)
+    for name in ("base", "repair-inertia", "sdf-version"):
+        if arguments.has(name) and not plan.targets():
+            raise WrongUsage(f"'--{name}' needs an output format, such as --to sdf")
+    return plan
 
 
 def _number(arguments: Arguments, option: str, least: int) -> int | None:

@@ -14,7 +14,6 @@ from ...model.joint import (
     Joint,
     Limit,
 )
-from ...model.link import Link
 from ...model.robot import Robot
 from ...model.values import attribute_text, number_in, read_numbers
 from ...terminal import BOLD, CYAN, DIM, RED, painted, printable, width
@@ -100,7 +99,10 @@ class _Structure:
 
     def __init__(self, robot: Robot, *, dots: str) -> None:
         self.name = _one_line(robot.name)
-        self.links = {_one_line(name): _mass(link) for name, link in robot.links.items()}
+        self.links: dict[str, float | None] = {}  # their masses in kg
+        for name, link in robot.links.items():
+            mass = link.inertial.inner("mass") if link.inertial is not None else None
+            self.links[_one_line(name)] = number_in(mass, "value")
         self.joints = [Row(joint, dots=dots) for joint in robot.all_joints]
         self.children = {joint.child for joint in self.joints}
         self.joints_from: dict[str, list[Row]] = {}
@@ -245,11 +247,6 @@ def _painted(line: Line, row: str) -> str:
 
 def _one_line(text: str) -> str:
     return printable(text).replace("\t", " ")
-
-
-def _mass(link: Link) -> float | None:
-    """Return the mass of a link in kg, or None if it has none."""
-    return number_in(link.inertial.inner("mass"), "value") if link.inertial is not None else None
 
 
 def _limits(limit: Limit | None, *, kind: str, dots: str) -> str:

@@ -12,7 +12,6 @@ import gzip
 import html
 import json
 import os
-from collections.abc import Iterator
 
 from ...confined import Reader
 from ...diagnostics import YamaroError
@@ -45,34 +44,30 @@ HEIGHT = 420
 def html_of(result: Build | Robot) -> str:
     """Return what a notebook shows of a `Build` or `Robot`; nothing is raised."""
     try:
-        return _html_of(result)
+        if isinstance(result, Build):
+            try:
+                robot = result.robot
+            except (YamaroError, ValueError):  # another document, or its tree stayed in a jail
+                text = result.xml()
+                shown = html.escape(text[:MOST_TEXT])
+                style = f"max-height: {HEIGHT}px; overflow: auto; white-space: pre; margin: 0"
+                more = len(text) - MOST_TEXT
+                note = _note(f"{more:,} more characters are not shown.") if more > 0 else ""
+                return f'<pre style="{style}">{shown}</pre>{note}'
+        else:
+            robot = result
+        page = _page(robot)
+        if page is None:
+            return _note(
+                f"The robot '{robot.name}' is too large for a notebook: {summary(robot)}. "
+                "The command `yamaro view` shows it."
+            )
+        title = html.escape(f"Robot {robot.name}".strip())
+        style = f"display: block; width: 100%; height: {HEIGHT}px; border: 0"
+        frame = f'<iframe title="{title}" sandbox="allow-scripts" style="{style}" srcdoc="'
+        return f'{frame}{html.escape(page)}"></iframe>'
     except Exception as error:  # a notebook would show a traceback in place of the result
         return _note(f"This cannot be shown: {type(error).__name__}: {error}")
-
-
-def _html_of(result: Build | Robot) -> str:
-    if isinstance(result, Build):
-        try:
-            robot = result.robot
-        except (YamaroError, ValueError):  # another document, or its tree stayed in a jail
-            text = result.xml()
-            shown = html.escape(text[:MOST_TEXT])
-            style = f"max-height: {HEIGHT}px; overflow: auto; white-space: pre; margin: 0"
-            more = len(text) - MOST_TEXT
-            note = _note(f"{more:,} more characters are not shown.") if more > 0 else ""
-            return f'<pre style="{style}">{shown}</pre>{note}'
-    else:
-        robot = result
-    page = _page(robot)
-    if page is None:
-        return _note(
-            f"The robot '{robot.name}' is too large for a notebook: {summary(robot)}. "
-            "The command `yamaro view` shows it."
-        )
-    title = html.escape(f"Robot {robot.name}".strip())
-    style = f"display: block; width: 100%; height: {HEIGHT}px; border: 0"
-    frame = f'<iframe title="{title}" sandbox="allow-scripts" style="{style}" srcdoc="'
-    return f'{frame}{html.escape(page)}"></iframe>'
 
 
 def _page(robot: Robot) -> str | None:
@@ -129,7 +124,12 @@ class PageFiles:
             folder = os.path.dirname(start)
             self._finder = MeshFinder(finder_for(start, reach, {}), reach, start=folder)
         self._keys: dict[str, str] = {}  # in the page, by those of `_files`
-        paths = [path for each in _elements(robot) if (path := self._path(each)[0]) is not None]
+        sections: list[Visual | Collision] = [each for _, each in robot.visuals()]
+        sections += [each for link in robot.links.values() for each in link.collisions]
+        found = [each for section in sections for each in (mesh_of(section), texture_of(section))]
+        found += [material.inner("texture") for material in robot.materials.values()]
+        elements = [each for each in found if each is not None]
+        paths = [path for each in elements if (path := self._path(each)[0]) is not None]
         reach = self._finder.reach
         reader = None
         if reach is not None:
@@ -212,15 +212,6 @@ def texture_of(section: Visual | Collision) -> Element | None:
     """Return the element that names the texture of a shape."""
     material = section.material if isinstance(section, Visual) else None
     return material.inner("texture") if material is not None else None
-
-
-def _elements(robot: Robot) -> Iterator[Element]:
-    """Yield all meshes and textures, those of visuals first."""
-    sections: list[Visual | Collision] = [each for _, each in robot.visuals()]
-    sections += [each for link in robot.links.values() for each in link.collisions]
-    found = [each for section in sections for each in (mesh_of(section), texture_of(section))]
-    found += [material.inner("texture") for material in robot.materials.values()]
-    yield from (each for each in found if each is not None)
 
 
 # --- what the page in a notebook has to know about a robot besides its URDF -------------------
