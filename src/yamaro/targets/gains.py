@@ -7,6 +7,7 @@ from math import hypot, isfinite, sqrt
 from ..model.joint import FLOATING, PLANAR, PRISMATIC, SINGLE, UNLIMITED
 from ..model.kinematics import from_the_roots, link_poses
 from ..model.pose import multiply, rotate, transposed
+from ..model.schema import COMMANDS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
     from ..model.pose import Pose, Rotation, Vector
     from ..model.robot import Robot
 
-POSITION, VELOCITY, EFFORT = "position", "velocity", "effort"
+POSITION, VELOCITY, EFFORT = COMMANDS
 """What an actuator is commanded."""
 TIME_STEP = 0.002
 """MuJoCo's default time step, in s, with which the gains are stable."""
