@@ -208,8 +208,17 @@ def _syntax_failure(python: PythonCode, error: SyntaxError, message: str) -> Exc
 
 def _syntax_hint(python: PythonCode, reason: str) -> str | None:
     text = python.text
-    if python.opening and (hint := _hint_for_words(text.split())) is not None:
-        return hint
+    first, *others = text.split() or [""]
+    if python.opening and others:  # words of ROS's launch files, or of Python
+        rest = " ".join(others)
+        if first in ("eval", "arg", "var"):
+            return f"remove the word {first}: $({rest})"
+        if first == "env":
+            return f"an environment variable with a default is $(optenv {rest})"
+        if first in ("find", "find-pkg-share"):
+            return f"write the name of a package without quotes: $({first} name)"
+        if first in ("import", "from"):
+            return "list modules at the root of the file: import: [math]"
     if ("unterminated" in reason or "never closed" in reason) and _is_cut_by_comment(python.node):
         return (
             f"' #' begins a YAML comment: write {_whole_value(python.node, len(python.node.text))}"
@@ -239,22 +248,6 @@ def _syntax_hint(python: PythonCode, reason: str) -> str | None:
                 short = number if factor == "1" else f"{number} * {factor}"
                 return f"in expressions units are factors: write {short}"
         at += 1
-    return None
-
-
-def _hint_for_words(words: list[str]) -> str | None:
-    """Return how to write what begins with a word of ROS's launch files, or of Python."""
-    first, rest = words[0], " ".join(words[1:])
-    if not rest:
-        return None
-    if first in ("eval", "arg", "var"):
-        return f"remove the word {first}: $({rest})"
-    if first == "env":
-        return f"an environment variable with a default is $(optenv {rest})"
-    if first in ("find", "find-pkg-share"):
-        return f"write the name of a package without quotes: $({first} name)"
-    if first in ("import", "from"):
-        return "list modules at the root of the file: import: [math]"
     return None
 
 

@@ -263,7 +263,14 @@ class SymbolTable:
                 for name, span in zip(node.names, node.name_spans, strict=True):
                     self._declare(name, ITERATOR, span, context, node=node)
             case FunctionNode():
-                return self._visit_function(node, context)
+                span = _name_in(node.span, node.name)
+                self._declare(node.name, FUNCTION_NAME, span, context, node=node, scope=node.scope)
+                context = Context(FUNCTION, context, node.span.start, node.end)
+                self.contexts.append(context)
+                for parameter in node.parameters:
+                    kind = BLOCK_NAME if parameter.is_block else PARAMETER
+                    span = _name_in(parameter.span, parameter.name)
+                    self._declare(parameter.name, kind, span, context, node=parameter)
             case IncludeNode():
                 self._visit_include(node, context)
             case ProcessNode():
@@ -316,17 +323,6 @@ class SymbolTable:
             if argument.name is not None:
                 span = _name_in(argument.span, argument.name)
                 self._uses.append(Use(argument.name, span, context, owner=node))
-
-    def _visit_function(self, node: FunctionNode, context: Context) -> Context:
-        span = _name_in(node.span, node.name)
-        self._declare(node.name, FUNCTION_NAME, span, context, node=node, scope=node.scope)
-        inner = Context(FUNCTION, context, node.span.start, node.end)
-        self.contexts.append(inner)
-        for parameter in node.parameters:
-            kind = BLOCK_NAME if parameter.is_block else PARAMETER
-            span = _name_in(parameter.span, parameter.name)
-            self._declare(parameter.name, kind, span, inner, node=parameter)
-        return inner
 
 
 _BY_OTHERS = (IMPORTED, ASSIGNED, NAMESPACE)

@@ -44,13 +44,13 @@ _PART = re.compile(
 )
 
 
-class Expression:
-    """`${…}`: Python.
+class _Computed:
+    """A part of a text that is computed.
 
     Attributes:
-        text: the text between the braces.
+        text: the text between the brackets.
         inner: the same as a template, if there is a `$` in it.
-        start, end: where in the template's text it is, with its braces.
+        start, end: where in the template's text it is, with its brackets.
     """
 
     __slots__ = ("end", "inner", "start", "text")
@@ -62,16 +62,16 @@ class Expression:
         self.inner = parse_template(text, start + 2) if "$" in text else None
 
 
-class Substitution:
-    """`$(…)`: a command, such as find or arg, and what it is given; slots as in Expression."""
+class Expression(_Computed):
+    """`${…}`: Python."""
 
-    __slots__ = ("end", "inner", "start", "text")
+    __slots__ = ()
 
-    def __init__(self, text: str, start: int, end: int) -> None:
-        self.text = text
-        self.start = start
-        self.end = end
-        self.inner = parse_template(text, start + 2) if "$" in text else None
+
+class Substitution(_Computed):
+    """`$(…)`: a command, such as find or arg, and what it is given."""
+
+    __slots__ = ()
 
 
 Part = str | Expression | Substitution

@@ -166,18 +166,13 @@ def _attribute(value: str) -> str:
         return f"'{value}'"
     if '"' not in outside:
         return f'"{value}"'
-    return f"$({_as_python(value)})"
-
-
-def _as_python(value: str) -> str:
-    """Return a text as one expression: for one that holds both kinds of quotes."""
-    pieces = []
+    terms = []  # of one expression, as both kinds of quotes are in it
     for piece, is_expression in pieces_of(value):
         if is_expression:
-            pieces.append(f"str({piece[2:-1]})")
+            terms.append(f"str({piece[2:-1]})")
         elif piece:
-            pieces.append(repr(piece.replace("$$(", "$(").replace("$${", "${")))
-    return " + ".join(pieces)
+            terms.append(repr(piece.replace("$$(", "$(").replace("$${", "${")))
+    return f"$({' + '.join(terms)})"
 
 
 def without_expressions(text: str) -> str:

@@ -129,22 +129,18 @@ def _is_folder(path: str) -> bool:
     return path.endswith(os.sep) or os.path.isdir(path)
 
 
-def _file_in_folder(arguments: Arguments) -> str:
-    """Return the path of the source in the output folder."""
-    from .xacro.includes import source_name
-
-    path = arguments.words[0]
-    name = source_name(os.path.basename(path)) if path != STANDARD_INPUT else "robot.yaml"
-    return os.path.join(arguments.output_path, name)
-
-
 def _deliver(result: Result, arguments: Arguments, streams: Streams) -> int:
     """Write a source to where it is wanted, or several into their folder, and report."""
     name, say = display_name(arguments), sayer(streams)
     end = ""
     is_printed = goes_to_standard_output(arguments)
     if "" in result.files and not is_printed and _is_folder(arguments.output_path):
-        path = _file_in_folder(arguments)
+        from .xacro.includes import source_name
+
+        written = arguments.words[0]
+        stem = source_name(os.path.basename(written))
+        own = stem if written != STANDARD_INPUT else "robot.yaml"
+        path = os.path.join(arguments.output_path, own)
         refuse_leading_out(arguments.output_path, [path])
         refuse_replacing(arguments, [path])
         status = deliver_files({path: result.files[""].encode()}, streams)

@@ -447,35 +447,28 @@ class PartWriter:
                 seen[child.name] = child
                 _take_remark(child, out, remarks)
             else:
-                out.append(self._joint_child(child, kind, joint, seen))
+                own = values_of(child)
+                is_first = self._is_first(child, joint, seen)
+                seen[child.name] = child
+                if child.children or not own or not is_first:
+                    out.append(self._element(child))
+                else:
+                    out.append(self._joint_entry_of(child, own, kind))
 
         self._write_all(joint, rest, write)
-        self._add_ends(seen, body)
-        self._add_pose(joint, seen.get("origin"), body)
-        _add_remarks(remarks, body)
-        body.extend(rest)
-        return Entry(self._elements.key("joint", attributes), body)
-
-    def _add_ends(self, seen: dict[str, Element], body: Body) -> None:
         parent, child = seen.get("parent"), seen.get("child")
         if parent is None or child is None or list(values_of(child)) != ["link"] or child.children:
             raise NoPart
         name = values_of(parent).get("link", "")
-        if list(values_of(parent)) == ["link"] and not parent.children and is_word(name):
-            if name in self._names.links or (self._resolves and name != "root_link"):
-                body.add("parent", self._names.of_links.get(name, name))
-                return
-        body.entries.append(self._elements.entry(parent, bracketed=True))
-
-    def _joint_child(
-        self, child: Element, kind: str, joint: Element, seen: dict[str, Element]
-    ) -> Entry:
-        attributes = values_of(child)
-        is_first = self._is_first(child, joint, seen)
-        seen[child.name] = child
-        if child.children or not attributes or not is_first:
-            return self._element(child)
-        return self._joint_entry_of(child, attributes, kind)
+        is_plain = list(values_of(parent)) == ["link"] and not parent.children and is_word(name)
+        if is_plain and (name in self._names.links or (self._resolves and name != "root_link")):
+            body.add("parent", self._names.of_links.get(name, name))
+        else:
+            body.entries.append(self._elements.entry(parent, bracketed=True))
+        self._add_pose(joint, seen.get("origin"), body)
+        _add_remarks(remarks, body)
+        body.extend(rest)
+        return Entry(self._elements.key("joint", attributes), body)
 
     def _joint_entry_of(self, child: Element, attributes: dict[str, str], kind: str) -> Entry:
         """Return what an element of a joint becomes that is the only one of its name."""

@@ -348,7 +348,11 @@ class _Reader:
         for node in ast.walk(bound):
             if isinstance(node, ast.Name):
                 require(node.id not in moving)
-                texts += [f"${{{node.id}}}", *self._values_of(node.id)]
+                # what it may be as an argument, a parameter or a property
+                texts += [f"${{{node.id}}}", self._program.values_of_arguments.get(node.id, "")]
+                texts += [format_value(own.attributes.get(node.id)) for own in self._calls()]
+                for root in self._program.roots.values():
+                    texts += [own.value for own in properties_in(root) if own.name == node.id]
             elif isinstance(node, ast.Call):
                 require(isinstance(node.func, ast.Name) and node.func.id in _FUNCTIONS)
             else:
@@ -376,14 +380,6 @@ class _Reader:
         )
         loop.changes = self._ordered(changed)
         return loop
-
-    def _values_of(self, name: str) -> list[str]:
-        """Return the texts that a name may have, if it is an argument, parameter or property."""
-        values = [self._program.values_of_arguments.get(name, "")]
-        values += [format_value(own.attributes.get(name, "")) for own in self._calls()]
-        for root in self._program.roots.values():
-            values += [own.value for own in properties_in(root) if own.name == name]
-        return values
 
     def _calls(self) -> list[Element]:
         """Return the calls of the macro except its own."""

@@ -397,20 +397,17 @@ class Passing:
 
     def _is_bound(self, name: str, caller: Macro, before: list[Element]) -> bool:
         """Return whether a caller has a name in any case."""
-        return name in caller.values() or any(
-            own.is_property
-            and own.name == name
-            and "scope" not in own.element.attributes
-            and self._is_evaluated(own.element)
-            for own in filter(None, map(definition_of, before))
-        )
-
-    def _is_evaluated(self, definition: Element) -> bool:
-        """Return whether the variable that a property becomes will have a value."""
-        text = definition.attributes.get("value", definition.attributes.get("default"))
-        if text is not None and "$" not in format_value(text):
+        if name in caller.values():
             return True
-        return bool(text is not None and self._program.files.can_be_evaluated(definition))
+        for own in filter(None, map(definition_of, before)):
+            given = own.element.attributes
+            text = given.get("value", given.get("default"))
+            if own.is_property and own.name == name and "scope" not in given and text is not None:
+                # the variable that the property becomes has to have a value
+                is_plain = "$" not in format_value(text)
+                if is_plain or self._program.files.can_be_evaluated(own.element):
+                    return True
+        return False
 
 
 # --- names of a macro that are read by what it calls and includes -----------------------------

@@ -391,7 +391,16 @@ def _join_variables(writer: FileWriter, first: Entry, content: Body | None, body
     assert isinstance(condition.value, str)
     if first.ending or first.value.opening or not isinstance(inner.value, Body):
         return False
-    joined = _choices(condition.value, _only_variables(inner.value), _only_variables(content))
+    one_side, other_side = _only_variables(inner.value), _only_variables(content)
+    if one_side is None or other_side is None or len(one_side.entries) != len(other_side.entries):
+        return False
+    joined: list[Entry] = []
+    for one, other in zip(one_side, other_side, strict=True):
+        values = _python_of(one.value), _python_of(other.value)
+        value = f"$({values[0]} if {condition.value} else {values[1]})"
+        if one.key != other.key or None in values or len(value) > LONGEST_CHOICE:
+            return False
+        joined.append(Entry(one.key, value))
     if not joined:
         return False
     body.entries.pop()
@@ -420,22 +429,6 @@ def _only_variables(body: Body | None) -> Body | None:
     variables = entry.value
     has_comments = any(own.comment or own.ending for own in variables) or variables.remark
     return None if has_comments or variables.opening else variables
-
-
-def _choices(condition: str, first: Body | None, second: Body | None) -> list[Entry]:
-    """Return variables that have the values of one body or the other."""
-    if first is None or second is None or len(first.entries) != len(second.entries):
-        return []
-    choices = []
-    for one, other in zip(first, second, strict=True):
-        values = _python_of(one.value), _python_of(other.value)
-        if one.key != other.key or None in values:
-            return []
-        value = f"$({values[0]} if {condition} else {values[1]})"
-        if len(value) > LONGEST_CHOICE:
-            return []
-        choices.append(Entry(one.key, value))
-    return choices
 
 
 def _python_of(value: object) -> str | None:

@@ -80,7 +80,13 @@ def _drop_aliases(files: list[Body], names: set[str]) -> None:
 
 def _drop_parameters(files: list[Body], program: XacroProgram) -> None:
     """Leave out parameters that only macros read that are not called any more."""
-    functions = _functions_in(files)
+    found: dict[str, list[Body]] = {}
+    for entry in [own for sections in files for own in sections.entries_below()]:
+        if entry.key == "functions" and isinstance(entry.value, Body):
+            for each in entry.value:
+                if isinstance(each.value, Body):
+                    found.setdefault(stem_of(each), []).append(each.value)
+    functions = {name: bodies[0] for name, bodies in found.items() if len(bodies) == 1}
     read = {
         macro.function: _words_in_macro(macro.element) for macro in program.definitions.values()
     }
@@ -124,18 +130,6 @@ def _drop_parameters(files: list[Body], program: XacroProgram) -> None:
 
 def _name_of_input(piece: str) -> str:
     return piece.partition("=")[0].strip()
-
-
-def _functions_in(files: list[Body]) -> dict[str, Body]:
-    """Return the functions by name, without those of which there are several of a name."""
-    found: dict[str, list[Body]] = {}
-    for sections in files:
-        for entry in sections.entries_below():
-            if entry.key == "functions" and isinstance(entry.value, Body):
-                for function in entry.value:
-                    if isinstance(function.value, Body):
-                        found.setdefault(stem_of(function), []).append(function.value)
-    return {name: bodies[0] for name, bodies in found.items() if len(bodies) == 1}
 
 
 # --- files ----------------------------------------------------------------------------------------
