@@ -15,6 +15,7 @@ from yamaro.model.pose import IDENTITY
 from yamaro.model.schema import ELEMENTS, TEXT
 from yamaro.model.shapes import Mesh
 from yamaro.source import Source, Span
+from yamaro.xml.values import Numbers
 from yamaro.xml.writer import write
 
 ROOT = Path(__file__).parents[2]
@@ -152,6 +153,17 @@ def test_values_are_rounded_as_they_are_written():
 def test_a_value_that_the_schema_does_not_list_is_refused(values, fault):
     with pytest.raises(TypeError, match=fault):
         making.element("limit", HERE, values)
+
+
+def test_numbers_stay_as_they_are_spelled():
+    mass = making.element("mass", HERE, {"value": Numbers.spelled(("1.20",))})
+    assert write(mass).endswith('<mass value="1.20"/>\n')
+
+
+@pytest.mark.parametrize("number", [float("nan"), float("inf")])
+def test_a_number_that_is_not_finite_is_refused(number):
+    with pytest.raises(ValueError, match="finite"):
+        making.element("axis", HERE, {"xyz": (0.0, number, 0.0)})
 
 
 def test_notes_say_what_a_robot_has_besides():

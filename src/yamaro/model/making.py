@@ -15,6 +15,8 @@ written, so that reading `robot.element`, or the text of it, gives the same robo
 
 from __future__ import annotations
 
+from math import isfinite
+
 from ..xml.tree import Element
 from ..xml.values import Numbers
 from .joint import Calibration, Dynamics, Joint, Limit, Mimic, SafetyController
@@ -38,7 +40,8 @@ if TYPE_CHECKING:
     from .shapes import Inertia, Shape, SimpleShape
 
     Part = TypeVar("Part", Limit, Mimic, Dynamics, SafetyController, Calibration)
-    Value = float | tuple[float, ...] | str | None
+    Value = float | tuple[float, ...] | Numbers | str | None
+    """`Numbers` keep how they were spelled; others are written with 15 digits."""
 
 RECORDS = {
     Limit: "limit",
@@ -76,16 +79,17 @@ def element(
 
     Raises:
         TypeError: it has no value of that name, or not as many numbers, or not a text.
+        ValueError: a number is not finite.
     """
     fields = ELEMENTS[name].fields
-    for given, value in values.items():
+    made = {given: _value(value) for given, value in values.items() if value is not None}
+    for given, value in made.items():
         field = fields.get(given)
         if field is None:
             raise TypeError(f"a '{name}' has no '{given}'")
-        count = len(value) if isinstance(value, tuple) else TEXT if isinstance(value, str) else 1
-        if value is not None and count != field.count:
-            raise TypeError(f"'{given}' of a '{name}' cannot be {value!r}")
-    ordered = {each: _value(values[each]) for each in fields if values.get(each) is not None}
+        if field.count != (len(value.words) if isinstance(value, Numbers) else TEXT):
+            raise TypeError(f"'{given}' of a '{name}' cannot be {values[given]!r}")
+    ordered: dict[str, object] = {each: made[each] for each in fields if each in made}
     return Element(name, place.span, ordered, list(children), place.trace, place.values)
 
 
@@ -93,14 +97,20 @@ def note(
     kind: str, place: Place, values: Mapping[str, Value], children: Iterable[Node] = ()
 ) -> Element:
     """Return a note for `robot`: what it has besides links and joints; see `extras.py`."""
-    given = {name: _value(value) for name, value in values.items() if value is not None}
+    given: dict[str, object] = {
+        name: _value(value) for name, value in values.items() if value is not None
+    }
     return Element(kind, place.span, given, list(children), place.trace, place.values)
 
 
-def _value(value: Value) -> object:
+def _value(value: Value) -> Numbers | str | None:
+    if isinstance(value, (int, float)):
+        value = (value,)
     if isinstance(value, tuple):
+        if not all(map(isfinite, value)):
+            raise ValueError(f"not all of {value!r} is finite")
         return Numbers.of(*value)
-    return Numbers.of(value) if isinstance(value, (int, float)) else value
+    return value
 
 
 # --- shapes and poses ---------------------------------------------------------------------------
@@ -219,7 +229,7 @@ def link(
 # --- joints -------------------------------------------------------------------------------------
 
 
-def part(kind: type[Part], place: Place, **values: float | str | None) -> Part:
+def part(kind: type[Part], place: Place, **values: Value) -> Part:
     """Return the limit, mimic, dynamics, … of a joint, with the values that the schema lists."""
     return kind(element(RECORDS[kind], place, values), number_in)
 

@@ -187,34 +187,28 @@ class _Reader:
             if child.name == "visual":
                 visual = self._visuals.get(id(child))
                 if visual is None:
-                    visual = self._visuals[id(child)] = self._visual(child)
+                    material = child_named(child, "material")
+                    visual = self._visuals[id(child)] = Visual(
+                        child,
+                        name=attribute_text(child, "name") or "",
+                        pose=self._origin_in(child),
+                        shape=self._shape_in(child),
+                        material=self._material(material) if material is not None else None,
+                    )
                 visuals.append(visual)
             elif child.name == "collision":
                 collision = self._collisions.get(id(child))
                 if collision is None:
-                    collision = self._collisions[id(child)] = self._collision(child)
+                    collision = self._collisions[id(child)] = Collision(
+                        child,
+                        name=attribute_text(child, "name") or "",
+                        pose=self._origin_in(child),
+                        shape=self._shape_in(child),
+                    )
                 collisions.append(collision)
             elif child.name == "inertial" and inertial is None:
                 inertial = self._inertial(child)
         return inertial, tuple(visuals), tuple(collisions)
-
-    def _visual(self, element: Element) -> Visual:
-        material = child_named(element, "material")
-        return Visual(
-            element,
-            name=attribute_text(element, "name") or "",
-            pose=self._origin_in(element),
-            shape=self._shape_in(element),
-            material=self._material(material) if material is not None else None,
-        )
-
-    def _collision(self, element: Element) -> Collision:
-        return Collision(
-            element,
-            name=attribute_text(element, "name") or "",
-            pose=self._origin_in(element),
-            shape=self._shape_in(element),
-        )
 
     def _inertial(self, element: Element) -> Inertial:
         mass = self._number(child_named(element, "mass"), "value")
@@ -244,22 +238,21 @@ class _Reader:
             return None
         for child in geometry.children:
             if isinstance(child, Element) and child.name in SHAPE_WORDS:
-                return self._shape(child)
+                kind = child.name
+                if kind == Mesh.kind:
+                    filename = attribute_text(child, "filename") or ""
+                    return Mesh(filename, self._vector(child, "scale", UNSCALED), element=child)
+                attributes = SIZES[kind]
+                sizes: list[float] = []
+                if len(attributes) == 1 and COUNTS[kind] > 1:
+                    sizes += (
+                        self._numbers(child, attributes[0], COUNTS[kind]) or (0.0,) * COUNTS[kind]
+                    )
+                else:
+                    sizes += [self._number(child, attribute) or 0.0 for attribute in attributes]
+                return SIMPLE_SHAPES[kind](*sizes, element=child)
         self._find("missing-element", f"the geometry of a {section.name} has no shape", geometry)
         return None
-
-    def _shape(self, element: Element) -> Shape:
-        kind = element.name
-        if kind == Mesh.kind:
-            filename = attribute_text(element, "filename") or ""
-            return Mesh(filename, self._vector(element, "scale", UNSCALED), element=element)
-        attributes = SIZES[kind]
-        sizes: list[float] = []
-        if len(attributes) == 1 and COUNTS[kind] > 1:
-            sizes += self._numbers(element, attributes[0], COUNTS[kind]) or (0.0,) * COUNTS[kind]
-        else:
-            sizes += [self._number(element, attribute) or 0.0 for attribute in attributes]
-        return SIMPLE_SHAPES[kind](*sizes, element=element)
 
     def _origin_in(self, element: Element) -> Pose:
         origin = child_named(element, "origin")

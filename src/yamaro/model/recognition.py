@@ -446,7 +446,10 @@ class GazeboSensors:
             note.element.attributes["joint"] = home
             self.notes.append(note.element)
             return
-        frame, pose = self._pose(element, home)
+        place = child_named(element, "pose")
+        above = attribute_text(place, "relative_to") or attribute_text(place, "frame") or home
+        frame = above if above in self._robot.links else home
+        pose = _pose_in(place)
         if kind in CAMERAS:
             own = child_named(camera, "pose") if camera is not None else None
             pose = pose @ _pose_in(own)
@@ -473,12 +476,6 @@ class GazeboSensors:
             given["rpy"] = Numbers.exactly(*pose.rpy)
         self._taken.setdefault(str(given["name"]), link)
         self.notes.append(note.element)
-
-    def _pose(self, element: Element, link: str) -> tuple[str, Pose]:
-        """Return the frame of a sensor, and its pose in it."""
-        pose = child_named(element, "pose")
-        above = attribute_text(pose, "relative_to") or attribute_text(pose, "frame") or link
-        return above if above in self._robot.links else link, _pose_in(pose)
 
     def _free_name(self, name: str, home: str) -> str | None:
         """Return a name for a sensor, or None if words describe it.

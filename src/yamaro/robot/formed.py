@@ -22,7 +22,6 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
-    from ..diagnostics import Frame
     from ..source import Span
     from ..xml.forms import FormText
     from ..xml.tree import Node, PartElement
@@ -222,7 +221,37 @@ def take_over(lowering: Lowering, part: PartElement, out: list[Node]) -> bool:
     if known is None:
         return False
     trace = part.trace_within(lowering.trace)
-    return _take_over(lowering, pattern, known, part, trace, out)
+    values = part.values
+    parent = filled(pattern.parent[0], values)
+    if type(parent) is not str:
+        return False
+    parent = parent.strip()
+    naming = lowering.namings.get(part.span.source) if lowering.namings else None
+    names = _names(filled(pattern.name, values), naming)
+    if names is None or not parent:
+        return False
+    origin = _origin(lowering, pattern, known.joint, values)
+    if origin is None:
+        return False
+    joint_name, link_name, part_name = names
+    if part_name:
+        lowering.part_links.setdefault(part_name, link_name)
+        lowering.part_joints.setdefault(part_name, joint_name)
+    above, below = known.parent, known.child
+    children: list[Node] = [
+        inheriting("parent", above.span, {"link": parent}, _NOTHING, above.value_spans),
+        inheriting("child", below.span, {"link": link_name}, _NOTHING, below.value_spans),
+        origin,
+        *known.rest,
+    ]
+    before = known.joint
+    joint = before.like({**before.attributes, "name": joint_name}, children, trace)
+    link = known.link.like({"name": link_name}, known.link.children, trace)
+    out += (joint, link) if pattern.is_joint_first else (link, joint)
+    lowering.parents.append(joint)
+    if known.has_mimic:
+        lowering.mimics.append(joint)
+    return True
 
 
 def lower_formed(
@@ -262,48 +291,6 @@ def _pattern_of(form: Form) -> Pattern | None:
         return Pattern(_Reader(form))
     except _Unusual:
         return None
-
-
-def _take_over(
-    lowering: Lowering,
-    pattern: Pattern,
-    known: LoweredPart,
-    part: PartElement,
-    trace: Frame | None,
-    out: list[Node],
-) -> bool:
-    """Append the joint and link of a part made after another one, unless it has a fault."""
-    values = part.values
-    parent = filled(pattern.parent[0], values)
-    if type(parent) is not str:
-        return False
-    parent = parent.strip()
-    naming = lowering.namings.get(part.span.source) if lowering.namings else None
-    names = _names(filled(pattern.name, values), naming)
-    if names is None or not parent:
-        return False
-    origin = _origin(lowering, pattern, known.joint, values)
-    if origin is None:
-        return False
-    joint_name, link_name, part_name = names
-    if part_name:
-        lowering.part_links.setdefault(part_name, link_name)
-        lowering.part_joints.setdefault(part_name, joint_name)
-    above, below = known.parent, known.child
-    children: list[Node] = [
-        inheriting("parent", above.span, {"link": parent}, _NOTHING, above.value_spans),
-        inheriting("child", below.span, {"link": link_name}, _NOTHING, below.value_spans),
-        origin,
-        *known.rest,
-    ]
-    before = known.joint
-    joint = before.like({**before.attributes, "name": joint_name}, children, trace)
-    link = known.link.like({"name": link_name}, known.link.children, trace)
-    out += (joint, link) if pattern.is_joint_first else (link, joint)
-    lowering.parents.append(joint)
-    if known.has_mimic:
-        lowering.mimics.append(joint)
-    return True
 
 
 _NOTHING: list[Node] = []

@@ -41,12 +41,6 @@ def lower_link(lowering: Lowering, key: Element, name: str) -> Element:
 
 def _lower_common(lowering: Lowering, key: Element) -> Element:
     """Return a `<link>` without its name, which nothing else in it depends on."""
-    children = _lower_children(lowering, key)
-    return Element("link", key.span, {}, children, key.trace, key.value_spans)
-
-
-def _lower_children(lowering: Lowering, key: Element) -> list[Node]:
-    """Return what is in the `<link>` of a `link` key."""
     fields = sort_fields(lowering, key, LINK)
     try:
         pose = read_pose(lowering, fields)
@@ -71,7 +65,7 @@ def _lower_children(lowering: Lowering, key: Element) -> list[Node]:
     # A faulty section may be the one that was to use the geometry.
     if not is_faulty:
         _warn_of_unused(lowering, frame.geometry)
-    return children
+    return Element("link", key.span, {}, children, key.trace, key.value_spans)
 
 
 def _lower_child(

@@ -343,21 +343,16 @@ def place_of_word(span: Span, words: list[str], index: int) -> Span:
     """Return where word number `index` stands, if the span covers the words as they are written."""
     written = span.written()
     # The first line of a block scalar is its header: `|-`.
-    at = written.find("\n") if written[:1] in ("|", ">") else 0
+    at = max(written.find("\n"), 0) if written[:1] in ("|", ">") else 0
     for number, word in enumerate(words):
-        at = _skip_separators(written, max(at, 0))
+        while at < len(written) and written[at] in " \t\r\n,'\"":
+            at += 1
         if not written.startswith(word, at):
             return span
         if number == index:
             return Span(span.source, span.start + at, span.start + at + len(word))
         at += len(word)
     return span
-
-
-def _skip_separators(written: str, at: int) -> int:
-    while at < len(written) and written[at] in " \t\r\n,'\"":
-        at += 1
-    return at
 
 
 def _item_place(item: str, span: Span) -> Span:
