@@ -40,7 +40,18 @@ def write_file(path: str, chunks: Iterable[bytes]) -> None:
     if old is not None and not stat.S_ISREG(old.st_mode):
         _write_directly(path, chunks)
         return
-    _replace(os.path.realpath(path), chunks, old)
+    target = os.path.realpath(path)
+    temporary = _temporary(target)
+    guard = _TerminationGuard(temporary)
+    try:
+        guard.set()
+        _write_new(temporary, chunks, target, old)
+        os.replace(temporary, target)
+    except BaseException:
+        _remove(temporary)
+        raise
+    finally:
+        guard.reset()
 
 
 def _old(path: str) -> os.stat_result | None:
@@ -121,24 +132,19 @@ def write_folder(path: str, files: Mapping[str, bytes]) -> None:
             file = os.path.join(temporary, *inner.split("/"))
             os.makedirs(os.path.dirname(file), exist_ok=True)
             _write_new(file, [data], file, None)
-        _take_place(temporary, path)
+        os.mkdir(path)  # fails if there is something; `rename` alone would replace an empty folder
+        try:
+            if os.name == "nt":
+                os.rmdir(path)
+            os.rename(temporary, path)
+        except BaseException:
+            if os.path.isdir(path):
+                os.rmdir(path)
+            raise
     except BaseException:
         from shutil import rmtree
 
         rmtree(temporary, ignore_errors=True)
-        raise
-
-
-def _take_place(temporary: str, path: str) -> None:
-    """Give a folder its name; raise OSError if there is something, also an empty folder."""
-    os.mkdir(path)  # which `rename` alone would replace
-    try:
-        if os.name == "nt":
-            os.rmdir(path)
-        os.rename(temporary, path)
-    except BaseException:
-        if os.path.isdir(path):
-            os.rmdir(path)
         raise
 
 
@@ -171,22 +177,18 @@ def leads_out(path: str, folder: str) -> bool:
 def write_all(descriptor: int, chunks: Iterable[bytes]) -> None:
     """Write all chunks to a file descriptor; raise OSError if that cannot be done."""
     for chunk in chunks:
-        _write_chunk(descriptor, chunk)
+        rest = memoryview(chunk)
+        while rest:
+            try:
+                count = os.write(descriptor, rest)
+            except BlockingIOError:
+                import select
 
-
-def _write_chunk(descriptor: int, chunk: bytes) -> None:
-    rest = memoryview(chunk)
-    while rest:
-        try:
-            count = os.write(descriptor, rest)
-        except BlockingIOError:
-            import select
-
-            select.select([], [descriptor], [])
-            continue
-        if not count:  # rather than try forever
-            raise OSError(5, os.strerror(5))
-        rest = rest[count:]
+                select.select([], [descriptor], [])
+                continue
+            if not count:  # rather than try forever
+                raise OSError(5, os.strerror(5))
+            rest = rest[count:]
 
 
 def _write_directly(path: str, chunks: Iterable[bytes]) -> None:
@@ -195,21 +197,6 @@ def _write_directly(path: str, chunks: Iterable[bytes]) -> None:
         write_all(descriptor, chunks)
     finally:
         os.close(descriptor)
-
-
-def _replace(target: str, chunks: Iterable[bytes], old: os.stat_result | None) -> None:
-    """Write `target` by way of a temporary file that is gone afterwards, come what may."""
-    temporary = _temporary(target)
-    guard = _TerminationGuard(temporary)
-    try:
-        guard.set()
-        _write_new(temporary, chunks, target, old)
-        os.replace(temporary, target)
-    except BaseException:
-        _remove(temporary)
-        raise
-    finally:
-        guard.reset()
 
 
 def _temporary(target: str) -> str:
@@ -224,7 +211,10 @@ def _write_new(path: str, chunks: Iterable[bytes], target: str, old: os.stat_res
     try:
         if old is not None and hasattr(os, "fchmod"):
             _keep_owner(descriptor, old)
-            _keep_mode(descriptor, old)
+            # File systems that have only one mode refuse to set any.
+            mode = stat.S_IMODE(old.st_mode)
+            if stat.S_IMODE(os.fstat(descriptor).st_mode) != mode:
+                os.fchmod(descriptor, mode)
         write_all(descriptor, chunks)
         if old is not None:
             _keep_attributes(descriptor, target)
@@ -240,13 +230,6 @@ def _keep_owner(descriptor: int, old: os.stat_result) -> None:
             os.fchown(descriptor, old.st_uid, old.st_gid)
         except OSError:
             return
-
-
-def _keep_mode(descriptor: int, old: os.stat_result) -> None:
-    """Set the mode, unless it is right: file systems that have but one refuse to set any."""
-    mode = stat.S_IMODE(old.st_mode)
-    if stat.S_IMODE(os.fstat(descriptor).st_mode) != mode:
-        os.fchmod(descriptor, mode)
 
 
 def _keep_attributes(descriptor: int, target: str) -> None:

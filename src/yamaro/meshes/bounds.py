@@ -96,7 +96,9 @@ def _summed(
     while pending:
         body, is_left = pending.pop()
         key = id(body)
-        inside = _inside(body, known)
+        inside = []
+        for each in body.inside:
+            inside += known.get(each, []) if isinstance(each, str) else [each]
         if is_left:
             parts = [*body.own, (1, 0), *(sums[id(each)] for each in inside)]
             sums[key] = (sum(part[0] for part in parts), sum(part[1] for part in parts))
@@ -109,13 +111,6 @@ def _summed(
         pending.append((body, True))
         pending.extend((each, False) for each in inside if id(each) not in sums)
     return sums[id(root)]
-
-
-def _inside(body: Body, known: dict[str, list[Body]]) -> list[Body]:
-    found = []
-    for each in body.inside:
-        found += known.get(each, []) if isinstance(each, str) else [each]
-    return found
 
 
 # --- texts --------------------------------------------------------------------------------------
@@ -221,7 +216,20 @@ def check_gltf(data: bytes) -> list[str]:
     if not isinstance(document, dict) or not isinstance(document.get("asset"), dict):
         raise MeshFileError("it is not glTF")
     try:
-        _check_tree(_list(document, "nodes"))
+        # Of nodes with two parents, or in a circle, readers would find no end.
+        nodes = _list(document, "nodes")
+        above: dict[int, int] = {}
+        for number, node in enumerate(nodes):
+            for child in node.get("children", ()):
+                _index(child, nodes)
+                if child in above:
+                    raise MeshFileError("its nodes are not a tree")
+                above[child] = number
+        reached = [number for number in range(len(nodes)) if number not in above]
+        for number in reached:  # grows meanwhile
+            reached += nodes[number].get("children", ())
+        if len(reached) != len(nodes):
+            raise MeshFileError("its nodes are not a tree")
         _check_numbers(document)
         entries = [*_list(document, "buffers"), *_list(document, "images")]
         names = [entry.get("uri") for entry in entries]
@@ -242,22 +250,6 @@ def _index(value: object, entries: list[Any]) -> Any:
     if type(value) is not int or not 0 <= value < len(entries):
         raise IndexError(value)
     return entries[value]
-
-
-def _check_tree(nodes: list[Any]) -> None:
-    """Refuse nodes with two parents, or in a circle: readers would not end."""
-    above: dict[int, int] = {}
-    for number, node in enumerate(nodes):
-        for child in node.get("children", ()):
-            _index(child, nodes)
-            if child in above:
-                raise MeshFileError("its nodes are not a tree")
-            above[child] = number
-    reached = [number for number in range(len(nodes)) if number not in above]
-    for number in reached:  # grows meanwhile
-        reached += nodes[number].get("children", ())
-    if len(reached) != len(nodes):
-        raise MeshFileError("its nodes are not a tree")
 
 
 def _check_numbers(document: dict[str, Any]) -> None:

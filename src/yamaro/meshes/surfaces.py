@@ -101,7 +101,13 @@ def read_surfaces(path: str, allows: Callable[[str], bool] | None) -> MeshSurfac
 
     def read(data: bytes, kind: str, path: str) -> list[Surface]:
         if kind == STL:
-            return _of_stl(data)
+            if not is_binary_stl(data):
+                mesh = read_stl(data)
+                points = np.array(mesh.vertices, float).reshape(-1, 3)
+                return [Surface(points, np.array(mesh.triangles, int).reshape(-1, 3))]
+            facets = np.frombuffer(data, _FACET, offset=STL_HEADER_BYTES)
+            points = facets["corners"].reshape(-1, 3).astype(float)
+            return [Surface(points, np.arange(len(points)).reshape(-1, 3))]
         return _surfaces(read_bodies(data, kind, path, allows, has_colors=True, refused=refused))
 
     found = [surface for surface in read_by(read, path) if len(surface.triangles)]
@@ -142,42 +148,26 @@ def check_surface(surface: Surface) -> None:
         raise MeshFileError("its texture is not an image")
 
 
-def _of_stl(data: bytes) -> list[Surface]:
-    if not is_binary_stl(data):
-        mesh = read_stl(data)
-        points = np.array(mesh.vertices, float).reshape(-1, 3)
-        return [Surface(points, np.array(mesh.triangles, int).reshape(-1, 3))]
-    facets = np.frombuffer(data, _FACET, offset=STL_HEADER_BYTES)
-    points = facets["corners"].reshape(-1, 3).astype(float)
-    return [Surface(points, np.arange(len(points)).reshape(-1, 3))]
-
-
 def _surfaces(bodies: Sequence[Body]) -> list[Surface]:
     """Return bodies as surfaces, if their textures do not take too much memory."""
     found = []
     size = 0
     for body in bodies:
-        surface = _surface(body)
+        surface = Surface(body.points, body.triangles)
+        visual = body.mesh.visual
+        if visual.kind == "vertex":
+            surface.point_colors = np.asarray(visual.vertex_colors, np.uint8)
+        elif visual.kind == "face":
+            surface.points = surface.points[body.triangles.ravel()]
+            surface.triangles = np.arange(body.triangles.size).reshape(-1, 3)
+            surface.point_colors = np.repeat(np.asarray(visual.face_colors, np.uint8), 3, axis=0)
+        elif visual.kind == "texture":
+            _add_material(surface, body)
         size += surface.texture.nbytes if surface.texture is not None else 0
         if size > MOST_TEXTURE_BYTES:
             raise MeshFileError("its textures take too much memory")
         found.append(surface)
     return found
-
-
-def _surface(body: Body) -> Surface:
-    """Return a body as a surface, with its colours."""
-    surface = Surface(body.points, body.triangles)
-    visual = body.mesh.visual
-    if visual.kind == "vertex":
-        surface.point_colors = np.asarray(visual.vertex_colors, np.uint8)
-    elif visual.kind == "face":
-        surface.points = surface.points[body.triangles.ravel()]
-        surface.triangles = np.arange(body.triangles.size).reshape(-1, 3)
-        surface.point_colors = np.repeat(np.asarray(visual.face_colors, np.uint8), 3, axis=0)
-    elif visual.kind == "texture":
-        _add_material(surface, body)
-    return surface
 
 
 def _add_material(surface: Surface, body: Body) -> None:
@@ -196,13 +186,10 @@ def _add_material(surface: Surface, body: Body) -> None:
         return
     color = np.clip(np.asarray(material.main_color, float) / 255, 0, 1)
     if getattr(material, "baseColorFactor", None) is not None:  # of glTF, whose numbers are linear
-        color[:3] = _as_srgb(color[:3])
+        linear = color[:3]  # as sRGB: IEC 61966-2-1
+        curved = 1.055 * linear ** (1 / 2.4) - 0.055
+        color[:3] = np.where(linear <= 0.0031308, 12.92 * linear, curved)
     surface.color = tuple(float(part) for part in color[:4])
-
-
-def _as_srgb(linear: Floats) -> Floats:
-    """Return the sRGB values of linear ones, both from 0 to 1 (IEC 61966-2-1)."""
-    return np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
 
 
 # --- surfaces as bytes, and back: that is how they leave a jail -------------------------------

@@ -43,20 +43,15 @@ def check_packages(name: str, request: Request) -> None:
         if find_spec(module) is None:
             message = f"a picture needs yamaro[picture]: the Python package '{package}' is missing"
             raise failure_of_all("missing-extra", message, name, HINT)
-    found = _version_of("vtk")
-    if found < OLDEST_VTK:
-        message = f"a picture needs vtk {_shown(OLDEST_VTK)} or newer, and this is {_shown(found)}"
-        raise failure_of_all("missing-extra", message, name, f"{HINT} --upgrade")
-
-
-def _version_of(package: str) -> tuple[int, ...]:
-    """Return the first two numbers of a package's version; of one without a version, large ones."""
     from importlib.metadata import PackageNotFoundError, version
 
     try:
-        return tuple(int(part) for part in version(package).split(".")[:2])
+        found = tuple(int(part) for part in version("vtk").split(".")[:2])
     except (PackageNotFoundError, ValueError):
-        return (1000, 0)
+        found = (1000, 0)  # it has none
+    if found < OLDEST_VTK:
+        message = f"a picture needs vtk {_shown(OLDEST_VTK)} or newer, and this is {_shown(found)}"
+        raise failure_of_all("missing-extra", message, name, f"{HINT} --upgrade")
 
 
 def _shown(version: tuple[int, ...]) -> str:

@@ -64,7 +64,13 @@ class Drawing:
         self.remarks: list[str] = []
         self._moments = moments(request, self._robot, read_positions(request, self._robot))
         self._reader = reader
-        shows = self._shows()
+        shows = set(self._request.shows)
+        shapes = self._shapes
+        if shows <= {VISUAL, GRID} and not any(shape.is_visual for shape in shapes):
+            other = COLLISION if shapes else FRAMES
+            what = "collision shapes" if shapes else "frames"
+            self.remarks.append(f"the robot has no visual shapes; its {what} are shown instead")
+            shows.add(other)
         paths = [shape.path for shape in self._shapes if shape.is_shown(shows)]
         meshes = read_meshes([path for path in paths if path], build.finder.allows, reader)
         is_large = request.width * request.height > MOST_SHARP_PIXELS
@@ -77,31 +83,39 @@ class Drawing:
         """Return the warnings about meshes."""
         return self._figure.warnings
 
-    def _shows(self) -> set[str]:
-        """Return what to show: something else where all that was asked for is not there."""
-        shows = set(self._request.shows)
-        shapes = self._shapes
-        if shows <= {VISUAL, GRID} and not any(shape.is_visual for shape in shapes):
-            other = COLLISION if shapes else FRAMES
-            what = "collision shapes" if shapes else "frames"
-            self.remarks.append(f"the robot has no visual shapes; its {what} are shown instead")
-            shows.add(other)
-        return shows
-
     def frames(self) -> Iterator[Image]:
         """Yield the pictures, height×width×4 from 0 to 255: one, or those of a film."""
-        points = self._points_of_all()
+        found = []
+        before: Moment | None = None
+        for moment in self._moments:
+            self._reader.check_time()
+            if before is None or before.positions != moment.positions:
+                self._figure.set_positions(moment.positions)
+                found.append(self._figure.outline())
+            before = moment
+        points = np.concatenate(found)
         low = float(points[:, 2].min())
         extent = float(np.ptp(points, axis=0).max()) or 1.0
         cameras = self._cameras(points)
-        before: Moment | None = None
+        before = None
         for moment, row in zip(self._moments, cameras, strict=True):
             self._reader.check_time()
             if before is None or before.positions != moment.positions:
                 self._figure.set_positions(moment.positions)
                 self._figure.lay_floor(low, extent)
             before = moment
-            yield _sheet([self.shot(camera) for camera in row])
+            images = [self.shot(camera) for camera in row]
+            # As many rows as columns, or one less.
+            columns = int(np.ceil(np.sqrt(len(images))))
+            missing = -len(images) % columns
+            blank = np.zeros_like(images[0])
+            if images[0][..., 3].min() == 255:
+                blank[...] = 255
+            cells = [*images, *[blank] * missing]
+            rows = [
+                np.hstack(cells[start : start + columns]) for start in range(0, len(cells), columns)
+            ]
+            yield np.vstack(rows)
 
     def outline(self) -> Floats:
         """Return the points of the first picture, N×3, with the floor below them."""
@@ -119,18 +133,6 @@ class Drawing:
             has_floor=bool(camera.position[2] >= camera.target[2]),
         )
 
-    def _points_of_all(self) -> Floats:
-        """Return all points that the robot has at any time, N×3."""
-        found = []
-        before: Moment | None = None
-        for moment in self._moments:
-            self._reader.check_time()
-            if before is None or before.positions != moment.positions:
-                self._figure.set_positions(moment.positions)
-                found.append(self._figure.outline())
-            before = moment
-        return np.concatenate(found)
-
     def _cameras(self, points: Floats) -> list[list[Camera]]:
         """Return the cameras of each moment, one for each view."""
         aspect = self._request.width / self._request.height
@@ -145,18 +147,6 @@ class Drawing:
         for camera in flat:  # at one scale, as in drawings
             camera.height = max(each.height for each in flat)
         return [list(row) for row in zip(*columns, strict=True)]
-
-
-def _sheet(images: list[Image]) -> Image:
-    """Return pictures of one size side by side, in as many rows as columns or one less."""
-    columns = int(np.ceil(np.sqrt(len(images))))
-    missing = -len(images) % columns
-    blank = np.zeros_like(images[0])
-    if images[0][..., 3].min() == 255:
-        blank[...] = 255
-    cells = [*images, *[blank] * missing]
-    rows = [np.hstack(cells[start : start + columns]) for start in range(0, len(cells), columns)]
-    return np.vstack(rows)
 
 
 # --- files ------------------------------------------------------------------------------------
@@ -191,7 +181,14 @@ def gif(frames: Iterable[Image], rate: float) -> bytes:
     all_chosen = PIL.Image.new("RGB", (width, height * len(chosen)))
     for number, image in enumerate(chosen):
         all_chosen.paste(image.convert("RGB"), (0, number * height))
-    palette = _with_white(all_chosen.quantize(COLORS, PIL.Image.Quantize.MEDIANCUT))
+    palette = all_chosen.quantize(COLORS, PIL.Image.Quantize.MEDIANCUT)
+    # The brightest colours become white, as the background of pictures is: Pillow takes colours for
+    # the same that differ by less than four.
+    colors = np.array(palette.getpalette()).reshape(-1, 3)
+    colors[colors.sum(axis=1).argmax()] = 255
+    colors[colors.min(axis=1) >= NEARLY_WHITE] = 255
+    palette.putpalette(colors.ravel().tolist())
+    palette.load()  # which is when Pillow takes the palette over
     pages = [_page(image, palette) for image in images]
     file = BytesIO()
     pages[0].save(
@@ -206,19 +203,6 @@ def gif(frames: Iterable[Image], rate: float) -> bytes:
         optimize=False,
     )
     return file.getvalue()
-
-
-def _with_white(image: PIL.Image.Image) -> PIL.Image.Image:
-    """Make the brightest colours of a palette white, as the background of pictures is.
-
-    Pillow takes colours for the same that differ by less than four.
-    """
-    colors = np.array(image.getpalette()).reshape(-1, 3)
-    colors[colors.sum(axis=1).argmax()] = 255
-    colors[colors.min(axis=1) >= NEARLY_WHITE] = 255
-    image.putpalette(colors.ravel().tolist())
-    image.load()  # which is when Pillow takes the palette over
-    return image
 
 
 def _page(image: PIL.Image.Image, palette: PIL.Image.Image) -> PIL.Image.Image:

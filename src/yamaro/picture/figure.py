@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from ..meshes.surfaces import Surface
     from ..model.link import Collision, Inertial, Link, Visual
     from ..model.link import Color as RobotColor
-    from ..model.pose import Pose, Vector
+    from ..model.pose import Pose
     from ..model.robot import Robot
     from ..model.shapes import Shape
     from ..result import Build
@@ -90,7 +90,9 @@ def cylinder_body(radius: float, length: float, *, is_capsule: bool = False) -> 
     source.SetHeight(length)
     source.SetResolution(ROUND)
     source.SetCapsuleCap(is_capsule)
-    return _upright(source)
+    turn = vtkTransform()
+    turn.RotateX(90)  # VTK's axis is y
+    return _transformed(_output(source), turn)
 
 
 def surface_body(surface: Surface, scale: Sequence[float]) -> vtkPolyData:
@@ -165,13 +167,6 @@ def corners_of(body: vtkPolyData) -> Floats:
         return np.zeros((0, 3))
     points: Floats = vtk_to_numpy(body.GetPoints().GetData()).astype(float)
     return points
-
-
-def _upright(source: Any) -> vtkPolyData:
-    """Turn a body from VTK's axis, y, to z."""
-    turn = vtkTransform()
-    turn.RotateX(90)
-    return _transformed(_output(source), turn)
 
 
 def _transformed(body: vtkPolyData, transform: vtkTransform) -> vtkPolyData:
@@ -358,16 +353,35 @@ class Figure:
             if INERTIA in shows and link.inertial is not None:
                 self._add_inertia(link, link.inertial)
         self.set_positions({})
-        size = self._size([(shape.link.name, shape.pose.position) for shape in missing])
+        # Links count even where there is nothing to see, and so do meshes that cannot be drawn.
+        marks = [(shape.link.name, shape.pose.position) for shape in missing]
+        around = [self.outline(), self._origins()]
+        around += [_moved(np.array([position]), self._poses[name]) for name, position in marks]
+        extent = float(np.ptp(np.concatenate(around), axis=0).max())
+        size = extent if extent > 1e-6 else 1.0
         for shape in missing:
-            self._add_missing(shape, size)
+            edge = MISSING_EDGE * size
+            T_link_body = np.array(shape.pose.matrix())
+            body = self._add(shape.link, box_body((edge, edge, edge)), T_link_body, MISSING, 0.55)
+            look = body.actor.GetProperty()
+            look.EdgeVisibilityOn()
+            look.SetEdgeColor(*MISSING)
             self._has_bones = True  # to show what is connected
         if FRAMES in shows:
             for link in self.robot.links.values():
                 for body, color in axes_bodies(0.07 * size):
                     self._add(link, body, np.eye(4), color)
         self.set_positions({})
-        self._sample_shadow()
+        # The samples of the shadow are spread over the bodies, by the size of their boxes.
+        bodies = [body for body in self._bodies if len(body.outline)]
+        sizes = [np.ptp(body.outline, axis=0) for body in bodies]
+        areas: Floats = np.array([x * y + y * z + z * x for x, y, z in sizes])
+        for body, share in zip(bodies, areas / max(areas.sum(), 1e-12), strict=True):
+            polygons = body.actor.GetMapper().GetInput()
+            triangles = _triangles_of(polygons)
+            if len(triangles):
+                count = int(SAMPLES * share) + 100
+                body.samples = surface_samples(corners_of(polygons), triangles, count)
         self.stage.shade_corners(size)
 
     @property
@@ -395,30 +409,17 @@ class Figure:
             return True
         surfaces = self._meshes.surfaces_of(shape)
         for surface in surfaces:
-            self._add_surface(shape, surface, opacity)
+            is_own = shape.is_visual and surface.has_look  # before the robot's colours, as in RViz
+            color, alpha = _look_of(shape, surface.color if is_own else shape.color)
+            body = surface_body(surface, shape.shape.size)
+            T_link_body = np.array(shape.pose.matrix())
+            actor = self._add(shape.link, body, T_link_body, color, alpha * opacity).actor
+            if not is_own:
+                actor.GetMapper().ScalarVisibilityOff()
+            elif surface.texture is not None:
+                actor.GetProperty().SetColor(1, 1, 1)
+                actor.SetTexture(make_texture(surface.texture[::-1]))
         return bool(surfaces)
-
-    def _add_surface(self, shape: DrawnShape, surface: Surface, opacity: float) -> None:
-        """Add a surface of a mesh; its file's colours go before the robot's, as in RViz."""
-        is_own = shape.is_visual and surface.has_look
-        color, alpha = _look_of(shape, surface.color if is_own else shape.color)
-        body = surface_body(surface, shape.shape.size)
-        T_link_body = np.array(shape.pose.matrix())
-        actor = self._add(shape.link, body, T_link_body, color, alpha * opacity).actor
-        if not is_own:
-            actor.GetMapper().ScalarVisibilityOff()
-        elif surface.texture is not None:
-            actor.GetProperty().SetColor(1, 1, 1)
-            actor.SetTexture(make_texture(surface.texture[::-1]))
-
-    def _add_missing(self, shape: DrawnShape, size: float) -> None:
-        """Add a box in place of a mesh that cannot be drawn."""
-        edge = MISSING_EDGE * size
-        T_link_body = np.array(shape.pose.matrix())
-        body = self._add(shape.link, box_body((edge, edge, edge)), T_link_body, MISSING, 0.55)
-        look = body.actor.GetProperty()
-        look.EdgeVisibilityOn()
-        look.SetEdgeColor(*MISSING)
 
     def _add_inertia(self, link: Link, inertial: Inertial) -> None:
         found = inertia_box(inertial)
@@ -432,18 +433,6 @@ class Figure:
         ball = sphere_body(0.08 * max(float(edges.max()), 1e-3))
         self._add(link, ball, T_link_body, BONES)
 
-    def _sample_shadow(self) -> None:
-        """Spread the samples of the shadow over the bodies, by the size of their boxes."""
-        bodies = [body for body in self._bodies if len(body.outline)]
-        sizes = [np.ptp(body.outline, axis=0) for body in bodies]
-        areas: Floats = np.array([x * y + y * z + z * x for x, y, z in sizes])
-        for body, share in zip(bodies, areas / max(areas.sum(), 1e-12), strict=True):
-            polygons = body.actor.GetMapper().GetInput()
-            triangles = _triangles_of(polygons)
-            if len(triangles):
-                count = int(SAMPLES * share) + 100
-                body.samples = surface_samples(corners_of(polygons), triangles, count)
-
     # --- positions ---
 
     def set_positions(self, positions: Mapping[str, float]) -> None:
@@ -454,20 +443,17 @@ class Figure:
         for body in self._bodies:
             body.actor.SetUserMatrix(make_matrix(self._poses[body.link] @ body.T_link_body))
         if self._has_bones:
-            self._place_bones()
-
-    def _place_bones(self) -> None:
-        """Draw a line from each link to its children."""
-        if self._bones is not None:
-            self.stage.remove(self._bones)
-            self._bones = None
-        pairs = [
-            (self._poses[joint.parent][:3, 3], self._poses[joint.child][:3, 3])
-            for joint in self.robot.joints.values()
-            if joint.parent in self._poses and joint.child in self._poses
-        ]
-        if pairs:
-            self._bones = self.stage.add_lines(np.array(pairs), BONES, 1.5)
+            # Draw a line from each link to its children.
+            if self._bones is not None:
+                self.stage.remove(self._bones)
+                self._bones = None
+            pairs = [
+                (self._poses[joint.parent][:3, 3], self._poses[joint.child][:3, 3])
+                for joint in self.robot.joints.values()
+                if joint.parent in self._poses and joint.child in self._poses
+            ]
+            if pairs:
+                self._bones = self.stage.add_lines(np.array(pairs), BONES, 1.5)
 
     def outline(self) -> Floats:
         """Return the outermost points, which have to be in a picture, N×3."""
@@ -481,16 +467,6 @@ class Figure:
     def _origins(self) -> Floats:
         """Return the origins of all links, N×3; that of the world if there are none."""
         return np.array([pose[:3, 3] for pose in self._poses.values()] or np.zeros((1, 3)))
-
-    def _size(self, marks: list[tuple[str, Vector]]) -> float:
-        """Return how large the robot is: the longest edge of the box around it, in metres.
-
-        Its links count even where there is nothing to see, and so do marks, points on links.
-        """
-        around = [self.outline(), self._origins()]
-        around += [_moved(np.array([position]), self._poses[name]) for name, position in marks]
-        extent = float(np.ptp(np.concatenate(around), axis=0).max())
-        return extent if extent > 1e-6 else 1.0
 
     def lay_floor(self, level: float, size: float) -> None:
         """Put a floor under the robot in its current pose, at a height in metres."""

@@ -261,9 +261,6 @@ class Stage:
         self._renderer.SetMaximumNumberOfPeels(8)
         self._renderer.UseFXAAOn()
         self._floor: list[vtkActor] = []
-        self._add_lights()
-
-    def _add_lights(self) -> None:
         self._renderer.AutomaticLightCreationOff()
         for position, intensity in LIGHTS:
             light = vtkLight()
@@ -343,7 +340,14 @@ class Stage:
         self, camera: Camera, *, is_transparent: bool = False, has_floor: bool = True
     ) -> Image:
         """Return a picture as height×width×4 from 0 to 255, its first row on top."""
-        self._aim(camera)
+        own = self._renderer.GetActiveCamera()
+        own.SetPosition(*camera.position)
+        own.SetFocalPoint(*camera.target)
+        own.SetViewUp(*camera.up)
+        own.SetViewAngle(VIEW_ANGLE)
+        own.SetParallelProjection(camera.is_flat)
+        own.SetParallelScale(camera.height / 2)
+        self._renderer.ResetCameraClippingRange()
         for actor in self._floor:
             actor.SetVisibility(has_floor)
         if not is_transparent:
@@ -354,16 +358,6 @@ class Stage:
             self._renderer.SetBackground(brightness, brightness, brightness)
             shots.append(self._shot())
         return _smaller(_with_alpha(*shots), self._sharpness)
-
-    def _aim(self, camera: Camera) -> None:
-        own = self._renderer.GetActiveCamera()
-        own.SetPosition(*camera.position)
-        own.SetFocalPoint(*camera.target)
-        own.SetViewUp(*camera.up)
-        own.SetViewAngle(VIEW_ANGLE)
-        own.SetParallelProjection(camera.is_flat)
-        own.SetParallelScale(camera.height / 2)
-        self._renderer.ResetCameraClippingRange()
 
     def _shot(self) -> Image:
         """Return what the window shows, in full size, height×width×3."""
