@@ -177,16 +177,16 @@ class _Members:
         else:
             chosen = set()
             for pattern in control.joints:
-                names = {name for name in self._joints if self._is_meant(name, pattern[0])}
+                names = {
+                    name
+                    for name in self._joints
+                    if any(_matches(own, pattern[0]) for own in (name, self._parts.get(name, name)))
+                }
                 if not names - self._taken:
                     self._refuse(control, pattern, bool(names))
                 chosen |= names - self._taken
         self._taken |= chosen
         return [name for name in self._joints if name in chosen]
-
-    def _is_meant(self, joint: str, pattern: str) -> bool:
-        part = self._parts.get(joint)
-        return _matches(joint, pattern) or (part is not None and _matches(part, pattern))
 
     def sensors_of(self, control: PendingControl) -> list[str]:
         """Return the sensors that a control reads, in order; record patterns that name none."""

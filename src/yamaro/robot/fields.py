@@ -427,7 +427,9 @@ def _key_hint(lowering: Lowering, name: str, place: PartPlace) -> str | None:
         return None
     question = (place.name, name)
     if question not in lowering.near_keys:
-        lowering.near_keys[question] = _warning_hint(name, place)
+        hint = home_of(name, place.name)
+        near = near_key(name, place.all_keys) if hint is None else None
+        lowering.near_keys[question] = f"did you mean '{near}'?" if near else hint
     return lowering.near_keys[question]
 
 
@@ -444,14 +446,6 @@ def _warn_of_key(lowering: Lowering, child: Element, place: PartPlace, hint: str
         lowering.report("unknown-key", message, child.span, hint=hint, trace=child.trace, fix=fix)
     else:
         lowering.report("misplaced-key", message, child.span, hint=hint, trace=child.trace)
-
-
-def _warning_hint(name: str, place: PartPlace) -> str | None:
-    home = home_of(name, place.name)
-    if home is not None:
-        return home
-    near = near_key(name, place.all_keys)
-    return f"did you mean '{near}'?" if near else None
 
 
 def _fix_of_key(span: Span, name: str, place: PartPlace) -> Fix | None:

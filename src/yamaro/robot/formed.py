@@ -264,7 +264,10 @@ def lower_formed(
     form = part.form
     assert form is not None
     if form not in lowering.patterns:
-        lowering.patterns[form] = _pattern_of(form)
+        try:
+            lowering.patterns[form] = Pattern(_Reader(form))
+        except _Unusual:
+            lowering.patterns[form] = None
     pattern = lowering.patterns[form]
     reported, before = lowering.reports, len(out)
     lower(lowering, part, out)
@@ -284,13 +287,6 @@ def lower_formed(
         pattern.lowered[common] = LoweredPart(joint, link, has_mimic=has_mimic)
         joint.share(own=OWN_CHILDREN)
         link.share(own=0)
-
-
-def _pattern_of(form: Form) -> Pattern | None:
-    try:
-        return Pattern(_Reader(form))
-    except _Unusual:
-        return None
 
 
 _NOTHING: list[Node] = []

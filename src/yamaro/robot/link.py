@@ -101,7 +101,16 @@ def _lower_section(lowering: Lowering, key: Element, frame: LinkFrame) -> Elemen
     pose = compose_poses(frame.pose, read_pose(lowering, fields))
     geometry = fields.plain.get("geometry")
     if geometry is None:
-        geometry = _section_shape(lowering, key, fields, frame.geometry)
+        shape = section_geometry(lowering, fields, frame.geometry)
+        if shape is None:
+            raise failure(
+                "missing-geometry",
+                f"this {key.name} has no geometry, and its link has none to inherit",
+                key.span,
+                hint="write geometry: box and scale: 0.4 0.3 0.2, in the link or in the section",
+                trace=key.trace,
+            )
+        geometry = shape.element
     origin = fields.plain.get("origin") or origin_element(pose, key)
     children: list[Node] = [geometry] if origin is None else [origin, geometry]
     for child in fields.rest:
@@ -139,19 +148,6 @@ def _material_of_color(lowering: Lowering, key: Element, fields: Fields) -> Elem
     from .material import lower_color_material
 
     return lowering.once(key, lower_color_material)
-
-
-def _section_shape(lowering: Lowering, key: Element, fields: Fields, link: LinkGeometry) -> Element:
-    geometry = section_geometry(lowering, fields, link)
-    if geometry is not None:
-        return geometry.element
-    raise failure(
-        "missing-geometry",
-        f"this {key.name} has no geometry, and its link has none to inherit",
-        key.span,
-        hint="write geometry: box and scale: 0.4 0.3 0.2, in the link or in the section",
-        trace=key.trace,
-    )
 
 
 def _warn_of_unused(lowering: Lowering, geometry: LinkGeometry) -> None:

@@ -252,9 +252,14 @@ class _Image:
         RobotNames(kept).rename(copies, self.mirror.renaming.apply)
         found: list[Node] = []
         for original, copy in zip(kept, copies, strict=True):
-            has_name = self._check_name(original, copy)
-            if has_name or not isinstance(original, RobotNote):
-                found += [] if _repeats(original, copy) else [copy]
+            is_image = self._check_name(original, copy)
+            if not isinstance(
+                original, RobotNote
+            ):  # what names nothing of the body is not repeated
+                has_own_name = original.name in ("link", "joint")
+                is_image = has_own_name or what_it_says(original) != what_it_says(copy)
+            if is_image:
+                found.append(copy)
         return found
 
     # --- links ---
@@ -422,13 +427,6 @@ class _Image:
                 )
 
 
-def _repeats(original: Element, copy: Element) -> bool:
-    """Return whether an element names nothing of the body, so its image would repeat it."""
-    if original.name in ("link", "joint") or isinstance(original, RobotNote):
-        return False
-    return what_it_says(original) == what_it_says(copy)
-
-
 def _same(one: str, other: str, *, sign: int = 1) -> bool:
     try:
         pairs = zip(map(float, one.split()), map(float, other.split()), strict=True)
@@ -590,7 +588,10 @@ def reverse_interfaces(joint: Element) -> None:
             if name in params:
                 for text in params[name].children:
                     if isinstance(text, Text):
-                        text.value = _negated_text(format_value(text.value))
+                        try:
+                            text.value = negated(format_value(text.value).strip())
+                        except ValueError:  # it is not a number
+                            continue
         if "min" in params and "max" in params:
             low, high = params["min"], params["max"]
             low.children, high.children = high.children, low.children
@@ -598,13 +599,6 @@ def reverse_interfaces(joint: Element) -> None:
             params["min"].attributes["name"] = "max"
         elif "max" in params:
             params["max"].attributes["name"] = "min"
-
-
-def _negated_text(text: str) -> str:
-    try:
-        return negated(text.strip())
-    except ValueError:
-        return text
 
 
 def reverse_mimic(joint: Element, *, follower: int, leader: int) -> None:

@@ -92,16 +92,13 @@ def lower(
     if lowering.errors:
         raise YamaroError(lowering.errors)
     resolve_names(lowering, robot)
-    return _finished(lowering, robot) if lowering.has_words else (robot, ())
-
-
-def _finished(lowering: Lowering, robot: Element) -> tuple[Element, Sequence[Element]]:
-    """Return a robot in which the words beside `part` are worked out, and its notes."""
+    if not lowering.has_words:
+        return robot, ()
     from .finish import finish_notes
 
     finish_words(lowering, robot)
     robot, notes = finish_notes(lowering, robot)
-    settle(lowering.reporter.diagnostics, None)
+    settle(reporter.diagnostics, None)
     settle(lowering.errors, None)
     if lowering.errors:
         raise YamaroError(lowering.errors)
