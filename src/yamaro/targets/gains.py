@@ -188,7 +188,11 @@ class Gains:
         if joint.type == PRISMATIC:
             return max(load.mass + armature, LEAST_INERTIA), GRAVITY * mass
         inertia = load.about(pose.position, axis) + armature
-        reach = max((_distance(point, pose.position, axis) for point in load.points), default=0.0)
+        a, b, c = axis
+        reach = 0.0  # of the points from the axis
+        for point in load.points:
+            x, y, z = (one - other for one, other in zip(point, pose.position, strict=True))
+            reach = max(reach, hypot(y * c - z * b, z * a - x * c, x * b - y * a))
         return max(inertia, LEAST_INERTIA), GRAVITY * mass * reach
 
     def _carried(self, joint: Joint) -> Load:
@@ -219,13 +223,6 @@ class Gains:
             joint = robot.parent_joint(link.name)
             if joint is not None:
                 self._loads.setdefault(joint.parent, Load()).add(load)
-
-
-def _distance(point: Vector, origin: Vector, axis: Vector) -> float:
-    """Return how far a point is from an axis through an origin."""
-    x, y, z = (a - b for a, b in zip(point, origin, strict=True))
-    a, b, c = axis
-    return hypot(y * c - z * b, z * a - x * c, x * b - y * a)
 
 
 def _rounded(value: float) -> float:

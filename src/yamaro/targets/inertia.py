@@ -56,10 +56,6 @@ def _matrix(moments: Vector, turn: Rotation) -> Rotation:
     return multiply((x, y, z), transposed(turn))
 
 
-def _plus(one: Vector, other: Vector) -> Vector:
-    return (one[0] + other[0], one[1] + other[1], one[2] + other[2])
-
-
 class Inertias:
     """The masses of a robot.
 
@@ -103,7 +99,10 @@ class Inertias:
             turn = multiply(bodies.poses[name].rotation, own.pose.rotation)
             body = self.by_link[carrier]
             matrices = _matrix(body.moments, body.pose.rotation), _matrix(own.moments, turn)
-            x, y, z = (_plus(*rows) for rows in zip(*matrices, strict=True))
+            x, y, z = (
+                (one[0] + other[0], one[1] + other[1], one[2] + other[2])
+                for one, other in zip(*matrices, strict=True)
+            )
             moments, rotation = principal_axes((x, y, z))
             pose = Pose(rotation, body.pose.position)
             self.by_link[carrier] = Principal(body.mass, moments, pose, is_changed=True)

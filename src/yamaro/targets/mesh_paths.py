@@ -193,15 +193,11 @@ class _Renaming:
             changed = element.with_children(children)
         filename = element.attributes.get("filename")
         if filename is not None and element.name in FILE_ELEMENTS:
-            changed = self._named(changed, format_value(filename))
-        return changed
-
-    def _named(self, element: Element, filename: str) -> Element:
-        name = self._rename(filename, element.value_span("filename"))
-        if name == filename:
-            return element
-        changed = element.with_children(element.children)
-        changed.attributes = {**element.attributes, "filename": name}
+            written = format_value(filename)
+            name = self._rename(written, element.value_span("filename"))
+            if name != written:
+                changed = changed.with_children(changed.children)
+                changed.attributes = {**element.attributes, "filename": name}
         return changed
 
     def _children(self, children: list[Node]) -> list[Node]:

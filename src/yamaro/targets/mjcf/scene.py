@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from ...model.link import Link
-    from ...model.pose import Pose, Vector
+    from ...model.pose import Pose
     from .model import Writing
 
 
@@ -122,10 +122,10 @@ def scene(writing: Writing, file: str) -> bytes:
     heights = heights_at(writing, poses)
     points = [(name, pose.position) for name, pose in poses.items()]
     points += [(each.link.name, each.convex.center) for each in solids_at_home(writing)]
-    middle, size = _around(
-        [(x, y, z + heights.get(free.get(name) or "", 0.0)) for name, (x, y, z) in points]
-    )
-    center, extent = middle, max(size, SMALLEST)
+    raised = [(x, y, z + heights.get(free.get(name) or "", 0.0)) for name, (x, y, z) in points]
+    spans = [(min(axis), max(axis)) for axis in zip(*raised, strict=True)] or [(0.0, 0.0)] * 3
+    center = [(low + high) / 2 for low, high in spans]
+    extent = max(SMALLEST, *(high - low for low, high in spans))
     text = TEXT.format(
         mark=MARK,
         model=escaped_attribute(f"{writing.model} scene"),
@@ -152,12 +152,3 @@ def _floor(writing: Writing) -> float:
             if solid.link.name in held:
                 lowest = min(lowest, solid.convex.farthest(DOWN)[2])
     return round(lowest, DIGITS) + 0.0
-
-
-def _around(points: list[Vector]) -> tuple[Vector, float]:
-    """Return the middle and the longest side of a box around points."""
-    if not points:
-        return (0.0, 0.0, 0.0), 0.0
-    spans = [(min(axis), max(axis)) for axis in zip(*points, strict=True)]
-    x, y, z = ((low + high) / 2 for low, high in spans)
-    return (x, y, z), max(high - low for low, high in spans)

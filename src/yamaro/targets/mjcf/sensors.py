@@ -122,7 +122,12 @@ def _lidar(writing: Writing, sensor: Sensor, lidar: Lidar) -> None:
         _each_ray(writing, sensor, lidar, frame)
         return
     site = _ray(writing, sensor)
-    frame.children.append(_rays(sensor, site, lidar))
+    rays, (low, high) = site, lidar.tilt_ends()
+    if lidar.rows > 1:  # copies of one ray: tilted to its row, then turned in it
+        step = (high - low) / (lidar.rows - 1)
+        rays = _turned(sensor, rays, lidar.rows, -low, -step, "y")
+    rays = _turned(sensor, rays, lidar.rays, lidar.ends()[0], lidar.step, "z")
+    frame.children.append(rays)
     _rangefinder(writing, sensor, str(site.attributes["name"]), lidar.range)
 
 
@@ -152,15 +157,6 @@ def _each_ray(writing: Writing, sensor: Sensor, lidar: Lidar, frame: Element) ->
 
 def _padded(index: int, count: int) -> str:
     return f"_{index:0{len(str(count - 1))}}"
-
-
-def _rays(sensor: Sensor, site: Element, lidar: Lidar) -> Element:
-    """Return the site of one ray, copied to all rays: tilted to its row, then turned in it."""
-    low, high = lidar.tilt_ends()
-    if lidar.rows > 1:
-        step = (high - low) / (lidar.rows - 1)
-        site = _turned(sensor, site, lidar.rows, -low, -step, "y")
-    return _turned(sensor, site, lidar.rays, lidar.ends()[0], lidar.step, "z")
 
 
 def _turned(

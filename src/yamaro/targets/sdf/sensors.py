@@ -304,24 +304,23 @@ class SensorCopier:
 
     def _known(self, around: Element, owner: str, trace: Step | None) -> list[Node]:
         children: list[Node] = []
+        known = self._words.get(around.name)
         for child in around.children:
             if not isinstance(child, Element) or (
                 child.name == "plugin" and child.attributes.get("filename")
             ):
                 children.append(child)
-            elif child.name in FRAME_IDS and self._version == "1.12":
+                continue
+            is_known = known is None or child.name in known
+            if child.name == OPTICAL:
+                is_known = around.name == "camera" and self._version != "1.9"
+            if child.name in FRAME_IDS and self._version == "1.12":
                 named = element("frame_id", text=child.text().strip())
                 settle([named], child.span, trace)
                 children.append(named)
-            elif self._knows(around.name, child.name):
+            elif is_known:
                 children.append(child.with_children(self._known(child, owner, trace)))
             else:
                 what = f"Gazebo's <{child.name}> elements"
                 self.losses.lose_xml(what, child, label=owner, trace=trace)
         return children
-
-    def _knows(self, parent: str, child: str) -> bool:
-        if child == OPTICAL:
-            return parent == "camera" and self._version != "1.9"
-        known = self._words.get(parent)
-        return known is None or child in known

@@ -78,7 +78,13 @@ class _Model:
         for joint in robot.joints.values():
             if robot.parent_joint(joint.child) is joint and joint.child in self._bodies.carriers:
                 parts += self._joint(joint)
-        parts += self._fixed_roots()
+        for link in robot.roots if self._wanted.is_fixed else ():
+            carrier = self._bodies.carriers[link.name]
+            if carrier is not None:
+                child = self._names.links[carrier]
+                fixed: Attributes = {"name": self._names.new(f"{child}_world"), "type": FIXED}
+                ends = given(("parent", WORLD), ("child", child))
+                parts.append(element("joint", fixed, children=ends, owner=link))
         parts += [self._loop(loop) for loop in robot.loops.values()]
         parts += self._blocks.model
         parts += self._raw.robot
@@ -116,7 +122,16 @@ class _Model:
             ]
             for sensor in self._robot.sensors.values():
                 if sensor.link == member.name and sensor.name not in self._copied:
-                    collisions = self._felt(sensor, member, name)
+                    collisions: list[str] = []
+                    if sensor.type == "contact":  # it feels the collisions of its link, or body
+                        known = self._shapes.collisions
+                        collisions = known.get(member.name) or [
+                            felt for each in members for felt in known.get(each.name, ())
+                        ]
+                        if not collisions:
+                            what = "contact sensors in links without collisions"
+                            hint = f"give the link '{member.name}' a collision"
+                            self._losses.lose(what, sensor, hint=hint)
                     home = sensor.frame if sensor.frame in self._robot.links else sensor.link
                     parts.append(self._sensor(sensor, name, home, collisions))
             parts += self._raw.in_link(member.name)
@@ -156,18 +171,6 @@ class _Model:
 
     # --- sensors ---
 
-    def _felt(self, sensor: Sensor, link: Link, body: str) -> list[str]:
-        """Return the collisions that a contact sensor feels: its link's, or else its body's."""
-        if sensor.type != "contact":
-            return []
-        own = self._shapes.collisions.get(link.name, [])
-        members = [each.name for each in self._members[body]]
-        found = own or [name for each in members for name in self._shapes.collisions.get(each, [])]
-        if not found:
-            what = "contact sensors in links without collisions"
-            self._losses.lose(what, sensor, hint=f"give the link '{link.name}' a collision")
-        return found
-
     def _sensor(
         self, sensor: Sensor, body: str, home: str | None, collisions: list[str]
     ) -> Element:
@@ -206,20 +209,6 @@ class _Model:
         """Return the name of the body that a link is part of."""
         carrier = self._bodies.carriers[link]
         return WORLD if carrier is None else self._names.links[carrier]
-
-    def _fixed_roots(self) -> list[Element]:
-        """Return the joints that fix the root in the world."""
-        if not self._wanted.is_fixed:
-            return []
-        found = []
-        for root in self._robot.roots:
-            carrier = self._bodies.carriers[root.name]
-            if carrier is not None:
-                child = self._names.links[carrier]
-                attributes: Attributes = {"name": self._names.new(f"{child}_world"), "type": FIXED}
-                ends = given(("parent", WORLD), ("child", child))
-                found.append(element("joint", attributes, children=ends, owner=root))
-        return found
 
     def _loop(self, loop: Loop) -> Element:
         """Return the joint that closes a loop."""

@@ -27,9 +27,28 @@ def write(robot: Robot, wanted: Wanted) -> Output:
     _refuse_without_collisions(robot)
     losses = Losses()
     groups = robot.groups.values()
-    parts = [_group(group) for group in groups]
+    parts = []
+    for group in groups:
+        members = [element("link", {"name": name}) for name in group.links]
+        members += [element("joint", {"name": name}) for name in group.joints]
+        members += [element("chain", {"base_link": b, "tip_link": t}) for b, t in group.chains]
+        members += [element("group", {"name": name}) for name in group.groups]
+        parts.append(element("group", {"name": group.name}, children=members, owner=group))
     parts += _states(robot, losses)
-    parts += [_end_effector(robot, group) for group in groups if group.is_end_effector]
+    for group in (each for each in groups if each.is_end_effector):
+        parent = group.parent or ""
+        around = [
+            each.name
+            for each in groups
+            if each is not group and (parent in each.links or parent in [t for _, t in each.chains])
+        ]
+        effector: Attributes = {
+            "name": group.name,
+            "parent_link": parent,
+            "group": group.name,
+            "parent_group": around[0] if around else None,
+        }
+        parts.append(element("end_effector", effector, owner=group))
     roots = robot.roots
     if roots and roots[0].name != WORLD:
         attributes: Attributes = {
@@ -68,30 +87,6 @@ def _refuse_without_collisions(robot: Robot) -> None:
 
 
 # --- groups -----------------------------------------------------------------------------------
-
-
-def _group(group: Group) -> Element:
-    members = [element("link", {"name": name}) for name in group.links]
-    members += [element("joint", {"name": name}) for name in group.joints]
-    members += [element("chain", {"base_link": b, "tip_link": t}) for b, t in group.chains]
-    members += [element("group", {"name": name}) for name in group.groups]
-    return element("group", {"name": group.name}, children=members, owner=group)
-
-
-def _end_effector(robot: Robot, group: Group) -> Element:
-    parent = group.parent or ""
-    around = [
-        each.name
-        for each in robot.groups.values()
-        if each is not group and (parent in each.links or parent in (t for _, t in each.chains))
-    ]
-    attributes: Attributes = {
-        "name": group.name,
-        "parent_link": parent,
-        "group": group.name,
-        "parent_group": around[0] if around else None,
-    }
-    return element("end_effector", attributes, owner=group)
 
 
 def joints_of(robot: Robot, group: Group, *, seen: frozenset[str] = frozenset()) -> set[str]:

@@ -90,7 +90,13 @@ class JointWriter:
                 self.elements.append(element_of(prim.GetPrim(), root))
         for joint in robot.joints.values():
             if robot.parent_joint(joint.child) is joint and joint.child in bodies.carriers:
-                self._lose_parts(joint)
+                actuator = robot.actuators.get(joint.name)
+                if actuator is not None:
+                    self.losses += lost_of_actuator(actuator)
+                    for name, missing in lost_fields("usd", "actuator").items():
+                        usual = ACTUATOR.fields[name].default or 0.0
+                        if getattr(actuator, name) not in (None, usual):
+                            self.losses.lose(missing.what, joint, part=actuator, field=name)
                 if joint.type == FLOATING:
                     how = "links that no joint holds"
                     self.losses.approximate("floating joints", joint, how=how)
@@ -186,16 +192,6 @@ class JointWriter:
         if actuator.command == VELOCITY:
             return 0.0, self._chosen.of_velocity(joint, actuator)
         return 0.0, 0.0
-
-    def _lose_parts(self, joint: Joint) -> None:
-        """Note what only USD has no place for."""
-        actuator = self._robot.actuators.get(joint.name)
-        if actuator is None:
-            return
-        self.losses += lost_of_actuator(actuator)
-        for name, missing in lost_fields("usd", "actuator").items():
-            if getattr(actuator, name) not in (None, ACTUATOR.fields[name].default or 0.0):
-                self.losses.lose(missing.what, joint, part=actuator, field=name)
 
     def _places_in(self, joint: Joint) -> dict[str, Span]:
         """Return where the values of a joint are written, by their names in USD."""

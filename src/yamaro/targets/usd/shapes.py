@@ -22,7 +22,6 @@ if TYPE_CHECKING:
     from ...model.pose import Pose, Vector
     from ...model.robot import Robot
     from ...model.shapes import Mesh, SimpleShape
-    from ...source import Span
     from ..output import Wanted
     from .prims import Names
 
@@ -169,26 +168,21 @@ class ShapeWriter:
     def _surfaces_of(self, link: Link, shape: Mesh, item: Collision | Visual) -> list[Surface]:
         """Return the surfaces of a mesh; note what USD does not take of it."""
         span = shape.span or link.span
-        surfaces = self._read(shape.filename, span)
+        path = self._contents.path_of(shape.filename, span)
         label = f"'{shape.filename}' of link '{link.name}'"
-        if surfaces is None:
+        if path is None:
             self.losses.lose("meshes that are not found", link, label=label, span=span)
             return []
+        try:
+            surfaces = self._contents.surfaces_of(path, is_kept=True)
+        except (MeshFileError, MissingLibraryError) as error:
+            raise failure("bad-mesh", f"'{shape.filename}': {error}", span) from None
         if isinstance(item, Collision):
             what, how = "meshes of collisions", "their convex hulls"
             self.losses.approximate(what, link, part=item, how=how)
         elif any(each.texture is not None for each in surfaces):
             self.losses.lose("textures", link, label=label, span=span)
         return surfaces
-
-    def _read(self, filename: str, span: Span) -> list[Surface] | None:
-        path = self._contents.path_of(filename, span)
-        if path is None:
-            return None
-        try:
-            return self._contents.surfaces_of(path, is_kept=True)
-        except (MeshFileError, MissingLibraryError) as error:
-            raise failure("bad-mesh", f"'{filename}': {error}", span) from None
 
     # --- materials ---
 
