@@ -14,7 +14,6 @@ from ...streams import BINARY
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ...commands.arguments import Arguments
-    from ...picture.command import Result
     from ...picture.request import Request
     from ...result import Build
     from ...streams import Streams
@@ -133,27 +132,14 @@ def _request(arguments: Arguments) -> Request:
 
 
 def _picture(build: Build, arguments: Arguments, streams: Streams, began: float) -> bytes:
+    from ...confined import Reader, has_jail
     from ...diagnostics import YamaroError
+    from ...picture.command import draw
 
     if build.root_name != "robot":
         raise WrongUsage(
             f"'yamaro picture' needs a robot, but the root element is <{build.root_name}>"
         )
-    result = _draw(build, arguments, streams, began)
-    build.warnings.extend(result.warnings)
-    if read_adjustment(arguments).deny(result.warnings):
-        raise YamaroError(result.warnings)
-    if not streams.quiet:
-        for remark in result.remarks:
-            streams.say(f"{display_name(arguments)}: {remark}")
-    return result.data
-
-
-def _draw(build: Build, arguments: Arguments, streams: Streams, began: float) -> Result:
-    """Draw the robot in the time that is left."""
-    from ...confined import Reader, has_jail
-    from ...picture.command import draw
-
     policy, name = make_policy(arguments), display_name(arguments)
     until = None if policy.timeout is None else began + policy.timeout
     reader = Reader(policy, readable=build.finder.roots, name=name, until=until)
@@ -162,7 +148,14 @@ def _draw(build: Build, arguments: Arguments, streams: Streams, began: float) ->
         seconds = max(until - monotonic(), 0)  # until here the jail has seen to it
         call_off = end_process(arguments, streams, policy, seconds)
     try:
-        return draw(build, name, _request(arguments), reader)
+        result = draw(build, name, _request(arguments), reader)
     finally:
         if call_off is not None:
             call_off()
+    build.warnings.extend(result.warnings)
+    if read_adjustment(arguments).deny(result.warnings):
+        raise YamaroError(result.warnings)
+    if not streams.quiet:
+        for remark in result.remarks:
+            streams.say(f"{name}: {remark}")
+    return result.data

@@ -76,7 +76,14 @@ def render_tree(robot: Robot, *, ascii: bool = False, color: bool = False) -> st
     """
     shape = _Structure(robot, dots=".." if ascii else "…")
     lines = list(_walk(shape, ascii=ascii))
-    rows = _aligned([_cells(line) for line in lines])
+    table = []
+    for line in lines:
+        facts = [""] * 4
+        if line.joint is not None:
+            facts = [line.joint.name, line.joint.kind, *line.joint.facts]
+        remark = f"<- {line.remark}" if line.remark else ""
+        table.append([line.branch + line.link, line.mass, *facts, remark])
+    rows = _aligned(table)
     shown = [_painted(line, row) if color else row for line, row in zip(lines, rows, strict=True)]
     summary = shape.summary()
     problems = shape.problems()
@@ -201,15 +208,6 @@ def _line(
 
 
 # --- layout -----------------------------------------------------------------------------------
-
-
-def _cells(line: Line) -> list[str]:
-    """Return the columns of a line."""
-    joint = line.joint
-    cells = [line.branch + line.link, line.mass]
-    cells += [joint.name, joint.kind, *joint.facts] if joint is not None else [""] * 4
-    cells.append(f"<- {line.remark}" if line.remark else "")
-    return cells
 
 
 def _aligned(rows: list[list[str]]) -> list[str]:

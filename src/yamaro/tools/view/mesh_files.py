@@ -124,7 +124,9 @@ class Library:
 
     def _read_together(self, paths: Sequence[str]) -> list[Contents]:
         def work() -> bytes:
-            return pack([_to_bytes(_look_at(path, self._reach)) for path in paths])
+            found = [_look_at(path, self._reach) for path in paths]
+            parts = [[each.kind, each.fault, each.companions, each.refused] for each in found]
+            return pack([json.dumps(each).encode() for each in parts])
 
         if not paths:
             return []
@@ -264,11 +266,6 @@ def _kind_of_companion(path: str, owner: str) -> str:
     if owner in (GLTF, GLB) and ending == ".bin":
         return BUFFER
     return kind if kind is not None and kind in CONTENT_TYPES else ""
-
-
-def _to_bytes(contents: Contents) -> bytes:
-    parts = [contents.kind, contents.fault, contents.companions, contents.refused]
-    return json.dumps(parts).encode()
 
 
 def _from_bytes(data: bytes) -> Contents:

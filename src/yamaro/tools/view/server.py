@@ -231,7 +231,14 @@ class Handler(BaseHTTPRequestHandler):
     def _answer(self, act: Callable[[str], None]) -> None:
         try:
             self._check_sender()
-            act(self._path_within())
+            path = self.path.partition("?")[0]
+            token, slash, rest = path[1:].partition("/")
+            is_known = hmac.compare_digest(token.encode(), self.server.token.encode())
+            if not is_known or not slash:
+                raise Refused(HTTPStatus.NOT_FOUND, _WRONG_ADDRESS)
+            if not self.server.let_in(self.connection):
+                raise Refused(HTTPStatus.SERVICE_UNAVAILABLE)
+            act(rest)
         except Refused as refusal:
             self.close_connection = True
             self._send(str(refusal).encode(), "text/plain; charset=utf-8", refusal.status)
@@ -245,25 +252,13 @@ class Handler(BaseHTTPRequestHandler):
         if origin is not None and origin.lower() != f"http://{hosts[0].lower()}":
             raise Refused(HTTPStatus.FORBIDDEN)
         is_own = self.headers.get("Sec-Fetch-Site", "none") in ("none", "same-origin")
-        if not is_own and not self._is_followed_link():
-            raise Refused(HTTPStatus.FORBIDDEN)
-
-    def _is_followed_link(self) -> bool:
-        """Return whether a person has followed a link, as from a terminal in the browser."""
+        if is_own:
+            return
+        # A person may have followed a link, as from a terminal in the browser.
         wanted = ("document", "iframe") if self.server.is_embedded else ("document",)
         is_page = self.headers.get("Sec-Fetch-Dest") in wanted
-        return self.command == "GET" and is_page and self.path.endswith("/")
-
-    def _path_within(self) -> str:
-        """Return the path after the token; refuse a path without the token."""
-        path = self.path.partition("?")[0]
-        token, slash, rest = path[1:].partition("/")
-        is_known = hmac.compare_digest(token.encode(), self.server.token.encode())
-        if not is_known or not slash:
-            raise Refused(HTTPStatus.NOT_FOUND, _WRONG_ADDRESS)
-        if not self.server.let_in(self.connection):
-            raise Refused(HTTPStatus.SERVICE_UNAVAILABLE)
-        return rest
+        if self.command != "GET" or not is_page or not self.path.endswith("/"):
+            raise Refused(HTTPStatus.FORBIDDEN)
 
     # --- GET ------------------------------------------------------------------------------------
 
@@ -365,7 +360,16 @@ class Handler(BaseHTTPRequestHandler):
         editor = self.server.editor
         if editor is None:
             raise Refused(HTTPStatus.CONFLICT, "there is no editor to open it in")
-        place = self._place_wanted(request)
+        session = self.server.session
+        name, number = request.get("variable"), request.get("place")
+        version = request.get("version")
+        if isinstance(name, str):
+            place = session.place_of_variable(name)
+        elif type(number) is not int or type(version) is not int:
+            raise Refused(HTTPStatus.BAD_REQUEST)
+        else:
+            is_fault = request.get("isFault") is True
+            place = session.place(number, version=version, is_fault=is_fault)
         if place is None or not os.path.isfile(place[0]):
             raise Refused(HTTPStatus.CONFLICT, "that place is not there any more")
         try:
@@ -375,16 +379,6 @@ class Handler(BaseHTTPRequestHandler):
             raise Refused(
                 HTTPStatus.CONFLICT, f"'{editor.name}' cannot be started: {reason}"
             ) from None
-
-    def _place_wanted(self, request: Mapping[str, object]) -> tuple[str, int, int] | None:
-        session = self.server.session
-        name, number = request.get("variable"), request.get("place")
-        if isinstance(name, str):
-            return session.place_of_variable(name)
-        version = request.get("version")
-        if type(number) is not int or type(version) is not int:
-            raise Refused(HTTPStatus.BAD_REQUEST)
-        return session.place(number, version=version, is_fault=request.get("isFault") is True)
 
     # --- answers --------------------------------------------------------------------------------
 

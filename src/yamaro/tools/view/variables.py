@@ -284,25 +284,22 @@ class IncludedVariables:
         """Return the variables by file, the main file first, as data for JSON."""
         found: list[Json] = []
         for path in sorted(self._noted, key=lambda each: each != self._main):
-            rows = [
-                self._row(declared, readings, places)
-                for declared in _declared_in(path, loader)
-                if not (path == self._main and declared.key in self._fields)
-                and (readings := self._readings_of(path, declared))
-            ]
+            rows = []
+            for declared in _declared_in(path, loader):
+                if path == self._main and declared.key in self._fields:
+                    continue
+                readings = [
+                    reading
+                    for reading in self._noted[path]
+                    if python_name(reading.name) == declared.key
+                    and reading.span is not None
+                    and reading.span.start == declared.span.start
+                ]
+                if readings:
+                    rows.append(self._row(declared, readings, places))
             if rows:
                 found.append({"file": _shown(path, self._main), "variables": rows})
         return found
-
-    def _readings_of(self, path: str, declared: Declared) -> list[Reading]:
-        start = declared.span.start
-        return [
-            reading
-            for reading in self._noted[path]
-            if python_name(reading.name) == declared.key
-            and reading.span is not None
-            and reading.span.start == start
-        ]
 
     def _row(self, declared: Declared, readings: list[Reading], places: Places) -> Json:
         given = {id(each.given): each.given for each in readings if each.given is not None}

@@ -22,7 +22,6 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ...commands.arguments import Arguments
     from ...rebuilding import Rebuilder, Turn
-    from ...result import Build
     from ...streams import Streams
 
 COMMAND = Command(
@@ -83,18 +82,16 @@ def _outcome(turn: Turn, arguments: Arguments, streams: Streams) -> str:
     counted, output = count_told(turn.diagnostics), arguments.options["output"]
     if turn.build is None:
         return f"{turn.fault or counted}; {output} is unchanged"
-    milliseconds = f"{1000 * turn.seconds:.0f} ms"
-    if not _write(turn.build, arguments, streams):
-        return f"built in {milliseconds}, and not written"
-    return f"{output} written, {milliseconds}" + (f", {counted}" if counted else "")
-
-
-def _write(build: Build, arguments: Arguments, streams: Streams) -> bool:
-    """Write the output; return whether that went well."""
+    build, milliseconds = turn.build, f"{1000 * turn.seconds:.0f} ms"
     refuse_overwriting(arguments, lambda: [*build.files, *build.meshes])
     if arguments.has("to"):
         from ...commands.formats import deliver_formats
 
-        return deliver_formats(build, (), arguments, streams) == DONE
-    status = deliver_assets(lambda: build.assets, arguments, streams)
-    return status == DONE and deliver(build.encoded(), arguments, streams) == DONE
+        status = deliver_formats(build, (), arguments, streams)
+    else:
+        status = deliver_assets(lambda: build.assets, arguments, streams)
+        if status == DONE:
+            status = deliver(build.encoded(), arguments, streams)
+    if status != DONE:
+        return f"built in {milliseconds}, and not written"
+    return f"{output} written, {milliseconds}" + (f", {counted}" if counted else "")
