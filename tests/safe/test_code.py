@@ -23,7 +23,7 @@ from tests.effort import examples, is_quick
 from tests.hostile.escape_payloads import Payload, read_payloads
 from tests.waiting import PATIENCE
 from yamaro.safe import code as syntax
-from yamaro.safe.code import HANDLERS, Rewriter, classify, compile_safe
+from yamaro.safe.code import Rewriter, classify, compile_safe
 from yamaro.safe.limits import SafeLimits, SafetyError
 from yamaro.safe.methods import CHANGING, DATA, READING
 from yamaro.safe.runtime import MODULES, SafeRuntime
@@ -136,7 +136,7 @@ def test_classes_of_a_later_python_are_unknown_and_refused() -> None:
         pass
 
     assert classify(LazyImport) == "unknown"
-    rewriter = Rewriter(HANDLERS, SafeLimits(), is_statements=False)
+    rewriter = Rewriter(SafeLimits(), is_statements=False)
     with pytest.raises(SafetyError, match="`LazyImport` is not allowed"):
         rewriter.visit(LazyImport())
 
@@ -146,11 +146,13 @@ def test_a_class_that_only_looks_like_an_allowed_one_is_refused() -> None:
         pass
 
     with pytest.raises(SafetyError):
-        Rewriter(HANDLERS, SafeLimits(), is_statements=False).visit(Constant())
+        Rewriter(SafeLimits(), is_statements=False).visit(Constant())
 
 
 def test_no_class_is_both_allowed_and_refused() -> None:
-    allowed = HANDLERS.keys() | syntax.SYMBOLS | syntax.OPERATORS.keys()
+    visited = {name[6:] for name in vars(Rewriter) if name.startswith("visit_")} - {"all"}
+    assert len(visited) == 31
+    allowed = visited | syntax.SYMBOLS | syntax.OPERATORS.keys()
     assert not allowed & syntax.REFUSED.keys()
     assert not (allowed | syntax.REFUSED.keys()) & (syntax.ABSTRACT | syntax.GONE)
 

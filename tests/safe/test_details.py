@@ -16,7 +16,7 @@ from typing import Any
 
 import pytest
 
-from yamaro.safe.code import HANDLERS, Rewriter, compile_safe
+from yamaro.safe.code import Rewriter, compile_safe
 from yamaro.safe.limits import RUN_IT, SafeLimits, SafetyError
 from yamaro.safe.runtime import SafeRuntime
 from yamaro.safe.values import OrderedSet
@@ -184,7 +184,7 @@ def test_an_operator_of_a_later_python_is_refused() -> None:
     one, name = ast.Constant(1), ast.Name("a", ast.Store())
     for node in (ast.BinOp(one, LogicalXor(), one), ast.AugAssign(name, LogicalXor(), one)):
         with pytest.raises(SafetyError, match="`LogicalXor` is not allowed"):
-            Rewriter(HANDLERS, SafeLimits(), is_statements=True).visit(node)
+            Rewriter(SafeLimits(), is_statements=True).visit(node)
 
 
 @pytest.mark.parametrize("line", lines_of("errors.txt"))
