@@ -13,11 +13,11 @@ from tests.waiting import PATIENCE
 
 BENCH = Path(__file__).parents[1] / "bench"
 OTHERS = {
-    *("attached", "changes", "engines", "fresh", "losses", "measuring", "mirrored", "mjcf"),
+    *("attached", "changes", "engines", "fresh", "losses", "mass", "measuring", "mirrored", "mjcf"),
     *("killed", "noise", "others", "reading", "robots", "run", "sdf", "style", "urdf", "usd"),
     *("values", "verdicts"),
 }
-"""What measures nothing by itself, and what needs a corpus that is not part of the project."""
+"""What measures no time by itself, and what needs a corpus that is not part of the project."""
 SCRIPTS = sorted({path.stem for path in BENCH.glob("*.py")} - OTHERS)
 
 pytestmark = [
