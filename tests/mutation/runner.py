@@ -27,7 +27,7 @@ import pytest
 from _pytest.runner import runtestprotocol
 from _pytest.warnings import catch_warnings_for_item
 
-from tests.mutation.mutants import Mutant, make_mutants, modules_of, path_of
+from tests.mutation.mutants import Mutant, make_mutants, path_of
 
 MEMORY = 6 << 30
 CASES = "tests/test_cases.py::"
@@ -149,8 +149,9 @@ class MutationRun:
         if self._store is not None and self._store.exists():
             known = json.loads(self._store.read_text())
         for file, names in files.items():
-            if known.get(file, {}).get("names") != names:
-                known[file] = {"names": names, **self._measure(file, names)}
+            of = {"names": names, "modules": self._modules}
+            if {**known.get(file, {}), **of} != known.get(file):
+                known[file] = {**of, **self._measure(file, names)}
             baseline.add(known[file]["seconds"], known[file]["lines"])
         if self._store is not None:
             self._store.write_text(json.dumps(known))
@@ -171,8 +172,7 @@ class MutationRun:
     def _run_with_coverage(self, names: list[str]) -> dict[str, dict[int, list[str]]]:
         from coverage import Coverage
 
-        modules = modules_of("syntax") + modules_of("runtime")
-        files = {module: str(path_of(module)) for module in modules}
+        files = {module: str(path_of(module)) for module in self._modules}
         coverage = Coverage(data_file=None, config_file=False, include=list(files.values()))
         coverage.set_option("run:disable_warnings", ["no-data-collected"])
         coverage.start()

@@ -9,7 +9,6 @@ import json
 import math
 import re
 import shutil
-import subprocess
 import sys
 from collections.abc import Iterator
 from itertools import zip_longest
@@ -18,10 +17,10 @@ from pathlib import Path
 import pytest
 
 from tests import chromium
+from tests.built_site import SITE, build_site
 from tests.chromium import Chromium
 from tests.consumers.oracles import missing
 from tests.serving import served
-from tests.waiting import PATIENCE
 from yamaro import YamaroError, build
 
 ROOT = Path(__file__).parents[2]
@@ -83,19 +82,8 @@ class Playground(Chromium):
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     if shutil.which("npm") is None:
         missing("npm")
-    target = tmp_path_factory.mktemp("playground") / "built"
-    made = subprocess.run(
-        ["scripts/playground", str(target)],
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-        timeout=2 * PATIENCE,
-        check=False,
-    )
-    if "cannot be had" in made.stderr:
-        pytest.skip(made.stderr.strip())
-    assert made.returncode == 0, made.stderr
-    return target
+    build_site(tmp_path_factory)
+    return SITE / "playground"
 
 
 @pytest.fixture(scope="module")

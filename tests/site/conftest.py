@@ -2,38 +2,23 @@
 
 from __future__ import annotations
 
-import subprocess
 from collections.abc import Iterator
-from pathlib import Path
 
 import pytest
 
 from tests import chromium
+from tests.built_site import SITE, build_site
 from tests.chromium import Chromium
 from tests.consumers.oracles import missing
 from tests.serving import served
-from tests.waiting import PATIENCE
 
-ROOT = Path(__file__).parents[2]
-SITE = ROOT / "build" / "site"
 ALONE = "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1"
 
 
 @pytest.fixture(scope="session")
-def built() -> str:
+def built(tmp_path_factory: pytest.TempPathFactory) -> str:
     """Build the site; return what the script printed."""
-    made = subprocess.run(
-        ["scripts/site"],
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-        timeout=3 * PATIENCE,
-        check=False,
-    )
-    if "cannot be had" in made.stderr:
-        pytest.skip(made.stderr.strip())
-    assert made.returncode == 0, made.stdout[-3000:] + made.stderr[-3000:]
-    return made.stdout
+    return build_site(tmp_path_factory)
 
 
 class Site(Chromium):

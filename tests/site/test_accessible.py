@@ -9,8 +9,9 @@ from typing import Any
 
 import pytest
 
+from tests.built_site import ROOT
 from tests.consumers.oracles import missing
-from tests.site.conftest import ROOT, Site
+from tests.site.conftest import Site
 
 pytestmark = pytest.mark.slow
 
