@@ -78,19 +78,7 @@ def mesh_format(data: bytes) -> str | None:
         return GLTF
     if start[:5].lower() == b"solid":
         return STL
-    return _text_format(start)
-
-
-def is_binary_stl(data: bytes) -> bool:
-    """Return whether there are as many facets as the header of a binary STL says."""
-    if len(data) < STL_HEADER_BYTES:
-        return False
-    count = int.from_bytes(data[80:84], "little")
-    return len(data) == STL_HEADER_BYTES + STL_FACET_BYTES * count
-
-
-def _text_format(start: bytes) -> str | None:
-    """Return OFF or OBJ, by the first word that is not in a comment."""
+    # OFF or OBJ, by the first word that is not in a comment.
     if b"\0" in start or start.startswith(_FOREIGN_COMMENTS):
         return None
     has_comment = False
@@ -105,6 +93,14 @@ def _text_format(start: bytes) -> str | None:
             return OFF
         return OBJ if words[0] in _OBJ_WORDS else None
     return OBJ if has_comment else None
+
+
+def is_binary_stl(data: bytes) -> bool:
+    """Return whether there are as many facets as the header of a binary STL says."""
+    if len(data) < STL_HEADER_BYTES:
+        return False
+    count = int.from_bytes(data[80:84], "little")
+    return len(data) == STL_HEADER_BYTES + STL_FACET_BYTES * count
 
 
 def image_format(start: bytes) -> str | None:

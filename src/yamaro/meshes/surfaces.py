@@ -108,7 +108,27 @@ def read_surfaces(path: str, allows: Callable[[str], bool] | None) -> MeshSurfac
             facets = np.frombuffer(data, _FACET, offset=STL_HEADER_BYTES)
             points = facets["corners"].reshape(-1, 3).astype(float)
             return [Surface(points, np.arange(len(points)).reshape(-1, 3))]
-        return _surfaces(read_bodies(data, kind, path, allows, has_colors=True, refused=refused))
+        bodies = read_bodies(data, kind, path, allows, has_colors=True, refused=refused)
+        found = []
+        size = 0
+        for body in bodies:
+            surface = Surface(body.points, body.triangles)
+            visual = body.mesh.visual
+            if visual.kind == "vertex":
+                surface.point_colors = np.asarray(visual.vertex_colors, np.uint8)
+            elif visual.kind == "face":
+                surface.points = surface.points[body.triangles.ravel()]
+                surface.triangles = np.arange(body.triangles.size).reshape(-1, 3)
+                surface.point_colors = np.repeat(
+                    np.asarray(visual.face_colors, np.uint8), 3, axis=0
+                )
+            elif visual.kind == "texture":
+                _add_material(surface, body)
+            size += surface.texture.nbytes if surface.texture is not None else 0
+            if size > MOST_TEXTURE_BYTES:
+                raise MeshFileError("its textures take too much memory")
+            found.append(surface)
+        return found
 
     found = [surface for surface in read_by(read, path) if len(surface.triangles)]
     if not found:
@@ -146,28 +166,6 @@ def check_surface(surface: Surface) -> None:
         and max(texture.shape) <= WIDEST_TEXTURE
     ):
         raise MeshFileError("its texture is not an image")
-
-
-def _surfaces(bodies: Sequence[Body]) -> list[Surface]:
-    """Return bodies as surfaces, if their textures do not take too much memory."""
-    found = []
-    size = 0
-    for body in bodies:
-        surface = Surface(body.points, body.triangles)
-        visual = body.mesh.visual
-        if visual.kind == "vertex":
-            surface.point_colors = np.asarray(visual.vertex_colors, np.uint8)
-        elif visual.kind == "face":
-            surface.points = surface.points[body.triangles.ravel()]
-            surface.triangles = np.arange(body.triangles.size).reshape(-1, 3)
-            surface.point_colors = np.repeat(np.asarray(visual.face_colors, np.uint8), 3, axis=0)
-        elif visual.kind == "texture":
-            _add_material(surface, body)
-        size += surface.texture.nbytes if surface.texture is not None else 0
-        if size > MOST_TEXTURE_BYTES:
-            raise MeshFileError("its textures take too much memory")
-        found.append(surface)
-    return found
 
 
 def _add_material(surface: Surface, body: Body) -> None:

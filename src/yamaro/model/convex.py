@@ -131,7 +131,7 @@ def near(shapes: Sequence[Convex]) -> Iterator[tuple[int, int]]:
         start = shape.center[0] - shape.radius
         open_ones = [i for i in open_ones if shapes[i].center[0] + shapes[i].radius > start]
         for other in open_ones:
-            x, y, z = _minus(shape.center, shapes[other].center)
+            x, y, z = minus(shape.center, shapes[other].center)
             reach = shape.radius + shapes[other].radius
             if x * x + y * y + z * z < reach * reach:
                 yield (other, index) if other < index else (index, other)
@@ -140,7 +140,7 @@ def near(shapes: Sequence[Convex]) -> Iterator[tuple[int, int]]:
 
 def overlap(first: Convex, second: Convex) -> bool:
     """Return whether two shapes overlap by more than they may touch."""
-    way = _minus(second.center, first.center)
+    way = minus(second.center, first.center)
     if not any(way):
         return True
     simplex = [_difference(first, second, way)]
@@ -149,7 +149,7 @@ def overlap(first: Convex, second: Convex) -> bool:
         if not any(way):
             return True
         point = _difference(first, second, way)
-        if _dot(point, way) <= 0:
+        if dot(point, way) <= 0:
             return False
         simplex.append(point)
         step = _next(simplex)
@@ -161,7 +161,7 @@ def overlap(first: Convex, second: Convex) -> bool:
 
 def _difference(first: Convex, second: Convex, way: Vector) -> Vector:
     """Return the farthest point of all differences between points of two shapes."""
-    return _minus(first.shrunk(way), second.shrunk(_opposite(way)))
+    return minus(first.shrunk(way), second.shrunk(_opposite(way)))
 
 
 Step = tuple[list["Vector"], "Vector"]
@@ -179,37 +179,38 @@ def _next(simplex: list[Vector]) -> Step | None:
     a, b, c, d = simplex[3], simplex[2], simplex[1], simplex[0]
     to_origin = _opposite(a)
     for one, two, three in ((b, c, d), (c, d, b), (d, b, c)):
-        normal = _cross(_minus(one, a), _minus(two, a))
-        if _dot(normal, _minus(three, a)) > 0:
+        normal = cross(minus(one, a), minus(two, a))
+        if dot(normal, minus(three, a)) > 0:
             normal = _opposite(normal)
-        if _dot(normal, to_origin) > 0:
+        if dot(normal, to_origin) > 0:
             return _of_triangle(a, one, two)
     return None
 
 
 def _of_line(a: Vector, b: Vector) -> Step:
-    along, to_origin = _minus(b, a), _opposite(a)
-    if _dot(along, to_origin) <= 0:
+    along, to_origin = minus(b, a), _opposite(a)
+    if dot(along, to_origin) <= 0:
         return [a], to_origin
-    aside = _cross(along, to_origin)
-    if _dot(aside, aside) <= ROUNDING * _dot(along, along) * _dot(to_origin, to_origin):
+    aside = cross(along, to_origin)
+    if dot(aside, aside) <= ROUNDING * dot(along, along) * dot(to_origin, to_origin):
         return [b, a], ZERO  # the origin is on the line
-    return [b, a], _cross(aside, along)
+    return [b, a], cross(aside, along)
 
 
 def _of_triangle(a: Vector, b: Vector, c: Vector) -> Step:
-    ab, ac, to_origin = _minus(b, a), _minus(c, a), _opposite(a)
-    normal = _cross(ab, ac)
-    if _dot(_cross(normal, ac), to_origin) > 0:
-        return _of_line(a, c) if _dot(ac, to_origin) > 0 else _of_line(a, b)
-    if _dot(_cross(ab, normal), to_origin) > 0:
+    ab, ac, to_origin = minus(b, a), minus(c, a), _opposite(a)
+    normal = cross(ab, ac)
+    if dot(cross(normal, ac), to_origin) > 0:
+        return _of_line(a, c) if dot(ac, to_origin) > 0 else _of_line(a, b)
+    if dot(cross(ab, normal), to_origin) > 0:
         return _of_line(a, b)
-    if _dot(normal, to_origin) > 0:
+    if dot(normal, to_origin) > 0:
         return [c, b, a], normal
     return [b, c, a], _opposite(normal)
 
 
-def _minus(a: Vector, b: Vector) -> Vector:
+def minus(a: Vector, b: Vector) -> Vector:
+    """Return a − b."""
     return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
 
 
@@ -217,11 +218,13 @@ def _opposite(a: Vector) -> Vector:
     return (-a[0], -a[1], -a[2])
 
 
-def _dot(a: Vector, b: Vector) -> float:
+def dot(a: Vector, b: Vector) -> float:
+    """Return a·b."""
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
-def _cross(a: Vector, b: Vector) -> Vector:
+def cross(a: Vector, b: Vector) -> Vector:
+    """Return a×b."""
     x, y, z = a
     u, v, w = b
     return (y * w - z * v, z * u - x * w, x * v - y * u)

@@ -94,7 +94,7 @@ class _Walk:
 
     def __init__(self, robot: Robot) -> None:
         self._robot = robot
-        self._sensors: set[object] | None = None
+        self._sensors = {each.span.key() for each in robot.sensors.values()}
         self._actuators: set[object] | None = None
         self._sound: set[int] = set()  # the identities of elements in which nothing is foreign
         self.losses = Losses()
@@ -124,9 +124,11 @@ class _Walk:
         for child in gazebo.elements():
             if child.name in FOR_LUMPING or is_surface(child, self._robot, reference):
                 continue
-            if child.name in ("sensor", "plugin") and self._is_sensor(child):
-                self._check_sensor(child, owner, trace)
-                continue
+            if child.name in ("sensor", "plugin"):
+                inner = (each.span.key() for each in child.elements())  # cameras of a multicamera
+                if not self._sensors.isdisjoint((child.span.key(), *inner)):
+                    self._check_sensor(child, owner, trace)
+                    continue
             what = f"Gazebo's <{child.name}> elements"
             self.losses.lose_xml(what, child, label=owner, trace=trace)
 
@@ -160,13 +162,6 @@ class _Walk:
         for joint in idle:
             owner = f"joint '{attribute_text(joint, 'name') or ''}' of {name}"
             self.losses.lose_xml(what, joint, label=owner, trace=trace)
-
-    def _is_sensor(self, element: Element) -> bool:
-        """Return whether the model has a sensor that is written there."""
-        if self._sensors is None:
-            self._sensors = {each.span.key() for each in self._robot.sensors.values()}
-        inner = [child.span.key() for child in element.elements()]  # the cameras of a multicamera
-        return not self._sensors.isdisjoint((element.span.key(), *inner))
 
 
 # --- the XML that a file holds for one output format, by what it belongs to -------------------

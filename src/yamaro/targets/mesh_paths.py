@@ -187,10 +187,12 @@ class _Renaming:
         return after.like(element.attributes, after.children, element.trace)  # type: ignore[no-any-return]
 
     def _changed(self, element: Element) -> Element:
-        children = self._children(element.children)
-        changed = element
-        if children is not element.children:
-            changed = element.with_children(children)
+        changed, children = element, element.children
+        if not self._has_meshes:
+            children = [child for child in children if not _is_mesh_shape(child)]
+        made = [self.element(child) if isinstance(child, Element) else child for child in children]
+        if len(made) != len(element.children) or not all(map(is_, made, element.children)):
+            changed = element.with_children(made)
         filename = element.attributes.get("filename")
         if filename is not None and element.name in FILE_ELEMENTS:
             written = format_value(filename)
@@ -199,12 +201,3 @@ class _Renaming:
                 changed = changed.with_children(changed.children)
                 changed.attributes = {**element.attributes, "filename": name}
         return changed
-
-    def _children(self, children: list[Node]) -> list[Node]:
-        wanted = children
-        if not self._has_meshes:
-            wanted = [child for child in children if not _is_mesh_shape(child)]
-        made = [self.element(child) if isinstance(child, Element) else child for child in wanted]
-        if len(made) == len(children) and all(map(is_, made, children)):
-            return children
-        return made

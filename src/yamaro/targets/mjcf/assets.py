@@ -20,7 +20,7 @@ from ...meshes.formats import (
     MissingLibraryError,
     is_binary_stl,
 )
-from ...model.convex import outer_points
+from ...model.convex import cross, dot, minus, outer_points
 from ...sandbox.jail.protocol import pack, unpack
 from ..assets import named_by_content
 from ..elements import element
@@ -38,8 +38,6 @@ if TYPE_CHECKING:
     from ...model.shapes import Mesh
     from ...model.values import Written
     from ..elements import Attributes
-
-    Point = tuple[float, float, float]
 
 
 MOST_FACETS = 200_000
@@ -146,7 +144,7 @@ def _rewritten(data: bytes) -> Part:
     return Part(stl_of(mesh), ".stl")
 
 
-def points_of(part: Part) -> Iterator[Point]:
+def points_of(part: Part) -> Iterator[Vector]:
     """Yield the corners of a part, one after the other."""
     if part.ending == ".stl":
         for corners in iter_unpack("<12x9f2x", memoryview(part.data)[STL_HEADER_BYTES:]):
@@ -161,41 +159,27 @@ def points_of(part: Part) -> Iterator[Point]:
             yield (float(words[1]), float(words[2]), float(words[3]))
 
 
-def is_flat(points: Iterator[Point]) -> bool:
+def is_flat(points: Iterator[Vector]) -> bool:
     """Return whether all points are in one plane; of most meshes it looks at a few."""
     try:
         origin = next(points, None)
         if origin is None:
             return True
-        first: Point | None = None
-        normal: Point | None = None
+        first: Vector | None = None
+        normal: Vector | None = None
         for point in points:
-            way = _minus(point, origin)
+            way = minus(point, origin)
             size = hypot(*way)
             if first is None:
                 first = way if size else None
             elif normal is None:
-                across = _cross(first, way)
+                across = cross(first, way)
                 normal = across if hypot(*across) > FLAT * hypot(*first) * size else None
-            elif abs(_dot(normal, way)) > FLAT * hypot(*normal) * max(size, hypot(*first)):
+            elif abs(dot(normal, way)) > FLAT * hypot(*normal) * max(size, hypot(*first)):
                 return False
     except ValueError:  # what is not a number is for MuJoCo to say
         return False
     return True
-
-
-def _minus(a: Point, b: Point) -> Point:
-    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
-
-
-def _cross(a: Point, b: Point) -> Point:
-    x, y, z = a
-    u, v, w = b
-    return (y * w - z * v, z * u - x * w, x * v - y * u)
-
-
-def _dot(a: Point, b: Point) -> float:
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
 def _part(surfaces: list[Surface]) -> Part:

@@ -257,7 +257,13 @@ class Scene:
         nearest = min(found, key=lambda result: float(result.min_distance), default=None)
         if nearest is None or nearest.min_distance <= 0:
             return (np.inf if nearest is None else 0.0), slope
-        line = _line_through(nearest.getNearestPoint1(), nearest.getNearestPoint2())
+        one, other = nearest.getNearestPoint1(), nearest.getNearestPoint2()
+        px, py, pz = one.tolist()
+        nx, ny, nz = (other - one).tolist()
+        # Far quicker than numpy for so few numbers, which counts in the search.
+        length = max(hypot(nx, ny, nz), 1e-12)
+        nx, ny, nz = nx / length, ny / length, nz / length
+        line = np.array([nx, ny, nz, py * nz - pz * ny, pz * nx - px * nz, px * ny - py * nx])
         pinocchio.computeJointJacobians(self._model, self._data)
         grows = self._sense(self.pairs[number]) * (line @ self._data.J)
         return float(nearest.min_distance), grows @ self._factors
@@ -304,16 +310,6 @@ class _Shapes:
                     owners.append(number)
         self.owners = np.array(owners, dtype=int)
         self.data = self.model.createData()
-
-
-def _line_through(one: Floats, other: Floats) -> Floats:
-    """Return the unit vector n from a point p to another, and p×n, as a row of six numbers."""
-    px, py, pz = one.tolist()
-    nx, ny, nz = (other - one).tolist()
-    # Far quicker than numpy for so few numbers, which counts in the search.
-    length = max(hypot(nx, ny, nz), 1e-12)
-    nx, ny, nz = nx / length, ny / length, nz / length
-    return np.array([nx, ny, nz, py * nz - pz * ny, pz * nx - px * nz, px * ny - py * nx])
 
 
 def _se3(pose: Pose) -> Any:

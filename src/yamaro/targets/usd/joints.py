@@ -19,7 +19,6 @@ from ..holding import lost_fields, lost_of_actuator, lost_of_joints
 from .prims import element_of, quaternion_of
 
 if TYPE_CHECKING:
-    from ...model.extras import Actuator, Loop
     from ...model.joint import Joint
     from ...model.pose import Rotation, Vector
     from ...model.robot import Robot
@@ -103,7 +102,22 @@ class JointWriter:
                 elif not bodies.is_dissolved(joint):
                     self._add(joint)
         for loop in robot.loops.values():
-            self._close(loop)
+            path = self._names.told(self._folder, "loop", loop.name, loop)
+            prim = LOOPS[loop.type].Define(self._stage, path)
+            first, second = loop.between
+            bodies, turn = self._bodies, Pose()
+            if loop.axis is not None and loop.type != FIXED:  # which turns about none
+                turn = Pose(_x_to(loop.axis))
+                prim.CreateAxisAttr("X")
+            self._connect(
+                prim,
+                bodies.carriers[first],
+                bodies.carriers[second],
+                bodies.poses[first] @ turn,
+                bodies.poses[second] @ turn,
+            )
+            prim.CreateExcludeFromArticulationAttr(True)  # in which no loop can be
+            self.elements.append(element_of(prim.GetPrim(), loop))
 
     def _add(self, joint: Joint) -> None:
         kind = UsdPhysics.RevoluteJoint if joint.type in SINGLE else UsdPhysics.Joint
@@ -168,7 +182,12 @@ class JointWriter:
             return
         is_linear = joint.type == PRISMATIC
         unit = 1.0 if is_linear else degrees(1)
-        kp, kd = self._gains(joint, actuator) if actuator is not None else (0.0, 0.0)
+        kp = kd = 0.0  # in SI; those that are not given are as in MJCF
+        if actuator is not None and actuator.command == POSITION:
+            kp = actuator.kp if actuator.kp is not None else self._chosen.of_position(joint)
+            kd = actuator.kd if actuator.kd is not None else self._chosen.damping(joint, kp)
+        elif actuator is not None and actuator.command == VELOCITY:
+            kd = self._chosen.of_velocity(joint, actuator)
         if actuator is not None and actuator.command not in (POSITION, VELOCITY):
             what, how = "effort actuators", "drives without gains"
             self.losses.approximate(what, joint, part=actuator, how=how)
@@ -182,16 +201,6 @@ class JointWriter:
             drive.CreateMaxForceAttr(effort)
         drive.CreateStiffnessAttr(kp / unit)
         drive.CreateDampingAttr((kd + damping) / unit)
-
-    def _gains(self, joint: Joint, actuator: Actuator) -> tuple[float, float]:
-        """Return stiffness and damping, in SI; those that are not given are as in MJCF."""
-        if actuator.command == POSITION:
-            kp = actuator.kp if actuator.kp is not None else self._chosen.of_position(joint)
-            kd = actuator.kd if actuator.kd is not None else self._chosen.damping(joint, kp)
-            return kp, kd
-        if actuator.command == VELOCITY:
-            return 0.0, self._chosen.of_velocity(joint, actuator)
-        return 0.0, 0.0
 
     def _places_in(self, joint: Joint) -> dict[str, Span]:
         """Return where the values of a joint are written, by their names in USD."""
@@ -213,25 +222,6 @@ class JointWriter:
         return found
 
     # --- loops ---
-
-    def _close(self, loop: Loop) -> None:
-        """Write the joint of a loop, which is not part of the articulation."""
-        path = self._names.told(self._folder, "loop", loop.name, loop)
-        prim = LOOPS[loop.type].Define(self._stage, path)
-        first, second = loop.between
-        bodies, turn = self._bodies, Pose()
-        if loop.axis is not None and loop.type != FIXED:  # which turns about none
-            turn = Pose(_x_to(loop.axis))
-            prim.CreateAxisAttr("X")
-        self._connect(
-            prim,
-            bodies.carriers[first],
-            bodies.carriers[second],
-            bodies.poses[first] @ turn,
-            bodies.poses[second] @ turn,
-        )
-        prim.CreateExcludeFromArticulationAttr(True)
-        self.elements.append(element_of(prim.GetPrim(), loop))
 
 
 def _x_to(axis: Vector) -> Rotation:

@@ -159,7 +159,25 @@ class ShapeWriter:
                 self._stage.DefinePrim(self._mesh_folder, "Scope")
             stem = os.path.splitext(shape.filename.replace("\\", "/").rpartition("/")[2])[0]
             at = self._meshes[key] = self._names.new(self._mesh_folder, stem)
-            _define_mesh(self._stage, at, surface, shape)
+            import numpy as np
+
+            mesh = UsdGeom.Mesh(self._stage.DefinePrim(at, "Mesh"))
+            mesh.GetPrim().SetSpecifier(Sdf.SpecifierClass)
+            corners = (surface.points * shape.scale).astype("float32")
+            # Triangles of STL have corners of their own; those at one place become one point.
+            points, indices = np.unique(corners, axis=0, return_inverse=True)
+            triangles = indices.reshape(-1)[surface.triangles]
+            x, y, z = shape.scale
+            if x * y * z < 0:  # mirrored
+                triangles = triangles[:, ::-1]
+            mesh.CreatePointsAttr(Vt.Vec3fArray.FromNumpy(points))
+            mesh.CreateFaceVertexIndicesAttr(
+                Vt.IntArray.FromNumpy(triangles.astype("int32").ravel())
+            )
+            mesh.CreateFaceVertexCountsAttr([3] * len(triangles))
+            mesh.CreateSubdivisionSchemeAttr(UsdGeom.Tokens.none)
+            low, high = points.min(axis=0).tolist(), points.max(axis=0).tolist()
+            mesh.CreateExtentAttr([Gf.Vec3f(*low), Gf.Vec3f(*high)])
         mesh = UsdGeom.Mesh.Define(self._stage, path)
         mesh.GetPrim().GetReferences().AddInternalReference(self._meshes[key])
         place(mesh, pose)
@@ -234,26 +252,3 @@ class ShapeWriter:
     def _material_path(self, name: str) -> str:
         self._stage.DefinePrim(self._folder, "Scope")
         return self._names.new(self._folder, name)
-
-
-def _define_mesh(stage: Usd.Stage, path: str, surface: Surface, shape: Mesh) -> None:
-    """Write a mesh as a class; its scale is in its points, and mirrored triangles are turned.
-
-    Triangles of STL have corners of their own; those at one place become one point.
-    """
-    import numpy as np
-
-    mesh = UsdGeom.Mesh(stage.DefinePrim(path, "Mesh"))
-    mesh.GetPrim().SetSpecifier(Sdf.SpecifierClass)
-    corners = (surface.points * shape.scale).astype("float32")
-    points, indices = np.unique(corners, axis=0, return_inverse=True)
-    triangles = indices.reshape(-1)[surface.triangles]
-    x, y, z = shape.scale
-    if x * y * z < 0:
-        triangles = triangles[:, ::-1]
-    mesh.CreatePointsAttr(Vt.Vec3fArray.FromNumpy(points))
-    mesh.CreateFaceVertexIndicesAttr(Vt.IntArray.FromNumpy(triangles.astype("int32").ravel()))
-    mesh.CreateFaceVertexCountsAttr([3] * len(triangles))
-    mesh.CreateSubdivisionSchemeAttr(UsdGeom.Tokens.none)
-    low, high = points.min(axis=0).tolist(), points.max(axis=0).tolist()
-    mesh.CreateExtentAttr([Gf.Vec3f(*low), Gf.Vec3f(*high)])
