@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
 
-from ..rebuilding import Rebuilder
 from ..source import STANDARD_INPUT
-from ..streams import Streams
-from .arguments import Arguments, make_policy, options_of
+from .arguments import make_policy, options_of
 from .reports import DONE, WrongUsage, sayer
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from ..rebuilding import Rebuilder
+    from ..streams import Streams
+    from .arguments import Arguments
 
 
 def repeat(
