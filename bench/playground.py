@@ -2,12 +2,13 @@
 
     python bench/playground.py [--runs N]
 
-The folder that scripts/playground builds is served on this machine, and opened in Chromium, which
-begins each time with an empty cache.
+The folder that scripts/playground builds, or the one that PLAYGROUND names, is served on this
+machine, and opened in Chromium, which begins each time with an empty cache.
 """
 
 from __future__ import annotations
 
+import os
 import statistics
 import sys
 import tempfile
@@ -32,8 +33,10 @@ def measure(setting: Setting) -> Iterator[Figure]:
     program = chromium.find()
     if program is None:
         sys.exit("this needs Chromium")
-    with tempfile.TemporaryDirectory() as folder:
-        run([str(ROOT / "scripts" / "playground"), folder])
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = os.environ.get("PLAYGROUND", temporary)
+        if folder == temporary:
+            run([str(ROOT / "scripts" / "playground"), folder])
         with served(Path(folder)) as address:
             times = [opened(program, address) for _ in range(setting.runs)]
     names = ("robot seen", "robot built by Python")

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.built_site import SITE, build_site
 from tests.waiting import PATIENCE
 
 BENCH = Path(__file__).parents[1] / "bench"
@@ -36,7 +37,12 @@ def run(script: str, *arguments: str) -> list[str]:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("script", SCRIPTS)
-def test_a_script_prints_a_table_of_figures(script: str) -> None:
+def test_a_script_prints_a_table_of_figures(
+    script: str, monkeypatch: pytest.MonkeyPatch, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    if script == "playground":
+        build_site(tmp_path_factory)
+        monkeypatch.setenv("PLAYGROUND", str(SITE / "playground"))
     head, line, *rows = run(script, "--scale", "0.002", "--runs", "1")
     assert head.startswith("| work")
     assert line.startswith("|---")
