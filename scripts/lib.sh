@@ -61,9 +61,11 @@ find_uv() {
     plain_pip_install uv >/dev/null 2>&1 && printf '%s\n' "$venv/bin/uv"
 }
 
+export UV_SYSTEM_CERTS=true # as pip does
+
 # Install into $venv: with uv; with pip where there is no uv, or where it does not get the packages.
 pip_install() {
-    if uv=$(find_uv) && UV_SYSTEM_CERTS=true "$uv" pip install -q --python "$venv/bin/python" "$@"; then return; fi
+    if uv=$(find_uv) && "$uv" pip install -q --python "$venv/bin/python" "$@"; then return; fi
     "$venv/bin/python" -m ensurepip >/dev/null 2>&1 || true
     # Older ones, such as Debian 12's, search for minutes before they settle on versions.
     plain_pip_install 'pip>=24.1'
