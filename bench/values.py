@@ -30,8 +30,11 @@ from yamaro.result import Build  # noqa: E402
 FORMATS = ("mjcf", "sdf", "usd")
 NAMES = ("name", "link", "joint", "reference", "filename")
 """Attributes that name something: with another value, the robot is another one."""
-IGNORED = re.compile(r"/axis@xyz|/link@type|umping|/mean$|/noise/type|always_on|/noise.*@type")
-"""Kinds of which only some values mean anything, such as the length of an axis."""
+IGNORED = re.compile(
+    r"/axis@xyz|/link@type|umping|/mean$|/noise/type|always_on|/noise.*@type|/mechanical(_reduction|Reduction)"
+)
+"""Kinds of which only some values mean anything, such as the length of an axis; and the reduction
+of a gear, since outputs are about the joint."""
 NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?", re.IGNORECASE)
 
 

@@ -41,8 +41,6 @@ def read(text: str, own: Mapping[str, str]) -> Iterator[Key]:
         yield ("actuated", actuator.get("joint"))
         command = "effort" if actuator.tag == "motor" else actuator.tag
         yield ("command", actuator.get("joint"), command)
-        if actuator.get("gear") is not None:
-            yield ("gear", actuator.get("joint"), float(actuator.get("gear")))
     yield from _sensors(root, own)
 
 

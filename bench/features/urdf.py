@@ -32,7 +32,7 @@ ATTRIBUTES = {
     "mimic": "joint multiplier offset",
     "safety_controller": "soft_lower_limit soft_upper_limit k_position k_velocity",
 }  # fmt: skip
-WHOLE = {"transmission", "ros2_control", "actuated", "gear", "plugin"}
+WHOLE = {"transmission", "ros2_control", "actuated", "plugin"}
 """What is told of by a place somewhere in it."""
 GAZEBO = {
     "mu1": "mu", "selfCollide": "self_collide", "turnGravityOff": "gravity", "maxVel": "max_vel",
@@ -386,7 +386,6 @@ def _actuated(node: Node, known: set[str]) -> Iterator[tuple[Key, Node]]:
         if is_driven and name not in known:
             known.add(name)
             yield ("actuated", name), node if node.name == "transmission" else joint
-            yield from _gear(node, name)
     if node.name == "transmission" and len(known) == before:
         yield ("transmission", node.get("name")), node
 
@@ -409,18 +408,6 @@ def _commands(owner: Node, joint: Node) -> Iterator[tuple[Key, Node]]:
         for each in next((each for each in found if each), ())
     )
     yield from ((("command", name, each), joint) for each in commands if each)
-
-
-def _gear(transmission: Node, joint: str) -> Iterator[tuple[Key, Node]]:
-    """Yield how often the motor of a simple transmission turns for one turn of its joint."""
-    kind = transmission.first("type")
-    name = transmission.get("type") or (kind.text if kind is not None else "")
-    for place in (*transmission.children, transmission) if "SimpleTransmission" in name else ():
-        node = place.first("mechanicalReduction") or place.first("mechanical_reduction")
-        if node is not None and place.name in ("actuator", "joint", "transmission"):
-            if float(node.text) != 1:
-                yield ("gear", joint, float(node.text)), transmission
-            return
 
 
 def _in_shape(node: Node) -> Iterator[tuple[Key, Node]]:

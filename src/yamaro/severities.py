@@ -30,6 +30,7 @@ SEVERITIES = {
     "duplicate-joint": "error",
     "duplicate-link": "error",
     "duplicate-material": "error",
+    "effort-above-stall": "advice",
     "far-center": "advice",
     "fixed-joint": "advice",
     "fixed-mimic": "warning",

@@ -95,6 +95,10 @@ OF_OTHERS = frozenset(
 )
 """Values that make another robot altogether, or that only URDF in XML can say."""
 
+SHOULDER = ("armature", "frequency", "damping_ratio")
+"""The entries of an actuator that say what others of the elbow's say."""
+ELBOW = tuple(name for name in ACTUATOR.fields if name not in SHOULDER)
+
 ROWS = [
     (thing.name, name)
     for thing in (
@@ -146,6 +150,9 @@ def text(values: Values = {}) -> str:  # noqa: B006 - is not changed
     def fields(thing: Thing) -> str:
         return ", ".join(f"{n}: {value_of((thing.name, n), values)}" for n in thing.fields)
 
+    def driven(*names: str) -> str:
+        return ", ".join(f"{n}: {value_of(('actuator', n), values)}" for n in names)
+
     def value(thing: str, name: str) -> str:
         return value_of((thing, name), values)
 
@@ -193,6 +200,7 @@ model:
       parent: base
       axis: z
       limit: {{lower: -1, upper: 1, effort: 9, velocity: 3}}
+      actuator: {{{driven(*SHOULDER)}}}
     link: {{geometry: box, size: 0.1 0.1 0.3, mass: 2}}
 - part:
     name: elbow fore
@@ -203,7 +211,7 @@ model:
       xyz: {value("origin", "xyz")}
       rpy: {value("origin", "rpy")}
 {records}\
-      actuator: {{{fields(ACTUATOR)}}}
+      actuator: {{{driven(*ELBOW)}}}
       sensor/name=force_torque_sensor: {{type: force_torque, {common(values)}}}
     link:
     - inertial: {{mass: {value("mass", "value")}, inertia: {inertia}}}

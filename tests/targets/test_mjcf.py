@@ -84,7 +84,7 @@ def test_keyframes_hold_states_in_the_order_of_the_joints(tmp_path: Path) -> Non
     assert home.qpos[at["a_joint"]] == 0.25
     assert home.qpos[at["b_joint"]] == pytest.approx(0.5 * 0.25 + 0.1, abs=1e-14)
     assert home.qpos[at["c_joint"]] == 1.5  # in the middle of limits that exclude 0
-    assert home.ctrl.tolist() == [0.25, 1.5 * 4]
+    assert home.ctrl.tolist() == [0.25, 1.5]
     assert model.key("up").qpos[at["a_joint"]] == 0.75
 
 
@@ -119,21 +119,46 @@ states:
 """
 
 
-def test_actuators_are_those_of_the_joint_through_a_gear(tmp_path: Path) -> None:
+@pytest.mark.parametrize("gear", ["1", "345", "-4"])
+def test_gains_and_commands_are_those_of_the_joint_whatever_the_gear(
+    tmp_path: Path, gear: str
+) -> None:
     mujoco = require_module("mujoco")
     path = tmp_path / "robot.yaml"
-    path.write_text(STATES)
+    path.write_text(STATES.replace("gear: 4", f"gear: {gear}"))
     model = mujoco.MjModel.from_xml_string(mjcf_of(path, base="fixed").xml())
     data = mujoco.MjData(model)
+    driven = model.actuator("c_joint")
+    assert driven.ctrlrange.tolist() == [1, 2]  # the limits of the joint
+    assert driven.forcerange.tolist() == [-8, 8]  # its effort
     data.qpos[model.joint("c_joint").qposadr[0]] = 1.1
-    data.ctrl[model.actuator("c_joint").id] = 1.2 * 4
+    data.ctrl[driven.id] = 1.2
     mujoco.mj_forward(model, data)
     dof = model.joint("c_joint").dofadr[0]
-    # The control is the motor's angle: 0.1 rad at the joint, with 32 N·m/rad there.
-    assert data.qfrc_actuator[dof] == pytest.approx(3.2, rel=1e-12)
+    assert data.qfrc_actuator[dof] == pytest.approx(3.2, rel=1e-12)  # 0.1 rad, 32 N·m/rad
     data.qvel[dof] = 0.05
     mujoco.mj_forward(model, data)
     assert data.qfrc_actuator[dof] == pytest.approx(3.2 - 16 * 0.05, rel=1e-12)
+
+
+@pytest.mark.parametrize("command", ["position", "velocity", "effort"])
+def test_a_step_gives_the_same_response_with_gear_1_and_345(tmp_path: Path, command: str) -> None:
+    mujoco = require_module("mujoco")
+    responses = []
+    for gear in ("1", "345"):
+        path = tmp_path / "robot.yaml"
+        path.write_text(STATES.replace("gear: 4", f"gear: {gear}, command: {command}"))
+        model = mujoco.MjModel.from_xml_string(mjcf_of(path, base="fixed").xml())
+        data = mujoco.MjData(model)
+        mujoco.mj_resetDataKeyframe(model, data, model.key("home").id)
+        data.ctrl[model.actuator("c_joint").id] += 0.1
+        response = []
+        for _ in range(200):
+            mujoco.mj_step(model, data)
+            response.append(float(data.qpos[model.joint("c_joint").qposadr[0]]))
+        responses.append(response)
+    assert responses[0] == responses[1]
+    assert abs(responses[0][-1] - responses[0][0]) > 1e-3  # it moves
 
 
 def test_the_scene_holds_the_robot_and_a_floor_that_it_stands_on(tmp_path: Path) -> None:

@@ -68,9 +68,9 @@ def test_poses_in_links(model: object) -> None:
     assert list(-data.camera("eye").xmat.reshape(3, 3)[:, 2]) == pytest.approx([1, 0, 0], abs=1e-9)
 
 
-def test_noise_friction_and_gear(model: object) -> None:
+def test_noise_friction_and_a_control_that_is_the_joint_s(model: object) -> None:
     sensor = model.sensor  # type: ignore[attr-defined]
     assert sensor("tilt_angular_velocity").noise[0] == 0.1
     assert sensor("tilt_linear_acceleration").noise[0] == 0.2
     assert model.geom("base_collision").friction[0] == 0.3  # type: ignore[attr-defined]
-    assert model.actuator("turn").gear[0] == 50  # type: ignore[attr-defined]
+    assert model.actuator("turn").gear[0] == 1  # type: ignore[attr-defined]

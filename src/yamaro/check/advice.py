@@ -10,6 +10,7 @@ from math import dist, fabs, pi, remainder, sqrt
 from ..model.joint import CONTINUOUS, FIXED, FLOATING, LIMITED, PLANAR, REVOLUTE, SINGLE
 from ..model.kinematics import base_of
 from ..model.link import Inertial
+from ..model.quantities import unit_of
 from ..model.schema import ELEMENTS, OF_1_2, TEXT
 from ..model.shapes import Mesh
 from ..model.values import attribute_text, child_named
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator, Mapping
 
     from ..diagnostics import Reporter
+    from ..model.extras import Actuator
     from ..model.joint import Joint, Limit, Mimic
     from ..model.link import Collision, Link, Visual
     from ..model.pose import Pose, Vector
@@ -96,6 +98,7 @@ def check_advice(
         told.outermost = joint.element
         _advise_on_pose(joint.origin, joint.element, told)
         _advise_on_limit(joint, told)
+        _advise_on_motor(joint, robot.actuators.get(joint.name), told)
     told.outermost = None
     _advise_on_zero_limits(joints.values(), told)
     _advise_on_axes(joints.values(), told)
@@ -263,6 +266,23 @@ def _advise_on_limit(joint: Joint, context: CheckContext) -> None:
                 hint="write `version=1.2` on the robot, if all "
                 "programs that read it support URDF 1.2",
             )
+
+
+def _advise_on_motor(joint: Joint, actuator: Actuator | None, context: CheckContext) -> None:
+    """Report a joint whose effort limit its motor never reaches."""
+    stall = actuator.stall_torque if actuator is not None else None
+    limit = joint.limit
+    if stall is None or limit is None or limit.effort is None or limit.effort <= stall:
+        return
+    unit = unit_of("effort", joint.type)
+    context.report(
+        "effort-above-stall",
+        f"the effort limit of joint '{joint.name}' is {shown(limit.effort)} {unit}, and its motor "
+        f"stalls at {shown(stall)} {unit}",
+        limit.element,
+        attribute="effort",
+        hint="write the smaller of the two, or leave 'effort' out, which takes the stall torque",
+    )
 
 
 def _advise_on_zero_limits(joints: Iterable[Joint], context: CheckContext) -> None:

@@ -248,8 +248,14 @@ class Actuator(Noted):
         command: `position`, `velocity` or `effort`: the first of those that it takes.
         kp: the gain of position, in N·m/rad or N/m; of velocity in a velocity actuator; or None.
         kd: the gain of velocity, in N·m·s/rad or N·s/m, or None.
+        frequency: of the joint with its armature alone, in Hz, which gives the gains; or None.
+        damping_ratio: with that frequency; 1 by default.
         armature: the inertia of the rotor seen at the joint, in kg·m² or kg, or None.
-        gear: turns of the motor for one of the joint; 1 by default.
+        rotor_inertia: the inertia of the rotor itself, in kg·m², or None.
+        gear: turns of the motor for one of the joint, or radians for a metre; 1 by default.
+        stall_torque: the greatest torque or force at the joint, in N·m or N, or None.
+        no_load_speed: the speed of the joint at which none is left, in rad/s or m/s, or None.
+        delay: how long after a command it is obeyed, in s, or None.
         commands: all commands that it takes; files may say others than these three.
     """
 
@@ -258,8 +264,14 @@ class Actuator(Noted):
     command: str
     kp: float | None
     kd: float | None
+    frequency: float | None
+    damping_ratio: float
     armature: float | None
+    rotor_inertia: float | None
     gear: float
+    stall_torque: float | None
+    no_load_speed: float | None
+    delay: float | None
 
     def __init__(self, element: Element) -> None:
         super().__init__(element)

@@ -367,9 +367,22 @@ ACTUATOR = Thing(
           help="position, velocity or effort"),
     Field("kp", 1, "stiffness", sign=NOT_NEGATIVE, example="50", help="the position gain"),
     Field("kd", 1, "damping", sign=NOT_NEGATIVE, example="2", help="the velocity gain"),
+    Field("frequency", 1, "frequency", sign=POSITIVE, example="10",
+          help="the natural frequency of the joint with its armature, in place of `kp` and `kd`"),
+    Field("damping_ratio", 1, sign=NOT_NEGATIVE, default=1.0, example="2",
+          help="the damping ratio with `frequency`; 1 is critical damping"),
     Field("armature", 1, "armature", sign=NOT_NEGATIVE, example="0.01",
           help="the inertia of the rotor at the joint"),
-    Field("gear", 1, sign=NOT_ZERO, default=1.0, example="50", help="the gear ratio"),
+    Field("rotor_inertia", 1, "inertia", sign=NOT_NEGATIVE, example="1e-05",
+          help="the inertia of the rotor at the motor, in place of `armature`"),
+    Field("gear", 1, sign=NOT_ZERO, default=1.0, example="50",
+          help="how often the motor turns for one turn of the joint"),
+    Field("stall_torque", 1, "effort", sign=POSITIVE, example="4",
+          help="the greatest torque or force at the joint, at rest"),
+    Field("no_load_speed", 1, "velocity", sign=POSITIVE, example="5",
+          help="the speed of the joint at which no torque or force is left"),
+    Field("delay", 1, "time", sign=NOT_NEGATIVE, example="0.005",
+          help="how long after a command it is obeyed"),
 )  # fmt: skip
 
 SURFACE = Thing(

@@ -1,16 +1,15 @@
-"""Words in a part that URDF has no elements for: `sensor`, `actuator`, `surface`, `frame`."""
+"""Words in a part that URDF has no elements for: `sensor`, `surface`, `frame`."""
 
 from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure
 from ..model.extras import CAMERAS
 from ..model.schema import (
-    ACTUATOR,
-    COMMANDS,
     JOINT_SENSORS,
     LINK_SENSORS,
     NOT_ZERO,
     PART,
+    POSITIVE,
     SURFACE,
     TEXT,
     WHOLE,
@@ -18,8 +17,8 @@ from ..model.schema import (
 from ..model.schema import SENSOR as ANY_SENSOR
 from ..xml.tree import Element
 from ..xml.values import Numbers, format_value
-from .fields import FRAME, POSE_ROWS, SENSOR, empty_value, read_value, sort_fields, word_of
-from .notes import RobotNote, check_keys, chosen, given_once, names_in, refuse_attributes
+from .fields import FRAME, POSE_ROWS, SENSOR, read_value, sort_fields, word_of
+from .notes import RobotNote, check_keys, given_once, refuse_attributes
 from .numbers import read_numbers
 from .pose import ZERO_ROW, Pose, origin_element, read_pose
 
@@ -111,7 +110,7 @@ def _sensor(
     for key_name, key in keys.items():
         field = fields.get(key_name)
         if field is not None:
-            note.attributes[key_name] = _value(lowering, field, key, noun="numbers")[0]
+            note.attributes[key_name] = read_field(lowering, field, key, noun="numbers")[0]
         if key_name not in POSE_ROWS:
             places[key_name] = read_value(key)[1]
     return note, keys
@@ -186,7 +185,7 @@ def _refuse_pose(keys: dict[str, Element], reason: str) -> None:
             )
 
 
-def _value(
+def read_field(
     lowering: Lowering, field: Field, key: Element, *, noun: str = "a number"
 ) -> tuple[str | Numbers, Span]:
     """Return the value of a field, and where it is written.
@@ -204,6 +203,8 @@ def _value(
     for number in numbers.values:
         if sign == NOT_ZERO:
             is_sound = number != 0
+        elif sign == POSITIVE:
+            is_sound = number > 0
         elif sign == WHOLE:
             is_sound = number >= 1 and number == int(number)
         else:
@@ -211,6 +212,7 @@ def _value(
         if not is_sound:
             wanted = "whole numbers from 1" if sign == WHOLE else f"{noun} from 0"
             wanted = f"{noun} {PART}" if sign == PART else wanted
+            wanted = f"{noun} above 0" if sign == POSITIVE else wanted
             raise failure(
                 "bad-number",
                 f"'{name}' is not 0: it is how often the motor turns for one turn of the joint"
@@ -221,77 +223,6 @@ def _value(
                 trace=key.trace,
             )
     return numbers, span
-
-
-# --- `actuator` -------------------------------------------------------------------------------
-
-
-def lower_actuator(lowering: Lowering, word: Element, joint: Element, out: list[Node]) -> None:
-    """Append the note of an actuator in a joint; record what is wrong."""
-    try:
-        out.append(_actuator(lowering, word, joint))
-    except YamaroError as error:
-        lowering.absorb(error)
-
-
-def _actuator(lowering: Lowering, word: Element, joint: Element) -> RobotNote:
-    refuse_attributes(word)
-    keys = given_once(word, ACTUATOR.fields)
-    _check_joint(word, joint)
-    lowering.joint_type = format_value(joint.attributes.get("type"))
-    note = RobotNote(
-        "actuator",
-        word.span,
-        {"joint": format_value(joint.attributes.get("name")), "command": "position"},
-        trace=lowering.trace,
-    )
-    places: dict[str, Span] = {}
-    note.value_spans = places
-    for key in keys.values():
-        if key.name == "command":
-            places[key.name] = read_value(key)[1]
-            # The commands that an actuator takes, of which the first is the usual one.
-            names = names_in(key)
-            if not names:
-                raise empty_value(key)
-            for number, (name, span) in enumerate(names):
-                chosen(name, span, key, COMMANDS)
-                if name in [earlier for earlier, _ in names[:number]]:
-                    raise failure(
-                        "given-twice",
-                        f"the command '{name}' is given twice",
-                        span,
-                        hint="remove one of the two",
-                        trace=key.trace,
-                    )
-            commands = [name for name, _ in names]
-            note.attributes["command"] = commands[0]
-            if len(commands) > 1:
-                note.attributes["commands"] = " ".join(commands)
-        else:
-            field = ACTUATOR.fields[key.name]
-            note.attributes[key.name], places[key.name] = _value(lowering, field, key)
-    return note
-
-
-def _check_joint(word: Element, joint: Element) -> None:
-    """Raise YamaroError for a joint that cannot be driven independently."""
-    if joint.attributes.get("type") == "fixed":
-        raise failure(
-            "actuator-on-fixed",
-            "this joint is fixed, so there is nothing to drive",
-            word.span,
-            hint="remove 'actuator', or give the joint another type",
-            trace=word.trace,
-        )
-    if any(child.name == "mimic" for child in joint.elements()):
-        raise failure(
-            "actuator-on-mimic",
-            "this joint follows another, which is the one to drive",
-            word.span,
-            hint="move 'actuator' to the joint that it follows",
-            trace=word.trace,
-        )
 
 
 # --- `surface` --------------------------------------------------------------------------------
@@ -322,7 +253,7 @@ def lower_surfaces(
             note.value_spans = places
             for key in keys.values():
                 field = SURFACE.fields[key.name]
-                note.attributes[key.name], places[key.name] = _value(lowering, field, key)
+                note.attributes[key.name], places[key.name] = read_field(lowering, field, key)
             out.append(note)
         except YamaroError as error:
             lowering.absorb(error)

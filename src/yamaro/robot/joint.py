@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import pi
 
 from ..diagnostics import YamaroError, failure
+from ..model.joint import CONTINUOUS
 from ..model.schema import (
     ELEMENTS,
     JOINT_TYPES,
@@ -29,8 +30,11 @@ from .pose import origin_element, read_pose
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from ..source import Span
     from ..xml.tree import Node
+    from .actuator import Values
     from .fields import Fields
     from .lowering import Lowering
 
@@ -53,7 +57,9 @@ class JointType:
         self.key_span = key_span
 
 
-def lower_joint(lowering: Lowering, key: Element, name: str, *, child: str) -> Element:
+def lower_joint(
+    lowering: Lowering, key: Element, name: str, *, child: str, words: Sequence[Element] = ()
+) -> Element:
     """Return `<joint>`: parent, child, origin, then the rest as written.
 
     Args:
@@ -61,6 +67,7 @@ def lower_joint(lowering: Lowering, key: Element, name: str, *, child: str) -> E
         key: the `joint` key.
         name: the joint's name.
         child: the name of the part's link.
+        words: what is worked out beside the joint, such as an actuator.
     """
     fields = sort_fields(lowering, key, JOINT)
     children: list[Node] = []
@@ -88,8 +95,15 @@ def lower_joint(lowering: Lowering, key: Element, name: str, *, child: str) -> E
                 lowering.absorb(error)
         else:
             children.append(node)
-    if joint_type is not None and joint_type.name in ASSUMED_RANGES:
-        _assume_limits(lowering, key, name, joint_type, fields, children)
+    if joint_type is not None and joint_type.name in (CONTINUOUS, *ASSUMED_RANGES):
+        actuators = [word for word in words if word.name == "actuator"]
+        motor: Values = {}
+        if actuators:
+            from .actuator import limits_of_motor
+
+            motor = limits_of_motor(lowering, actuators[-1])
+        if motor or joint_type.name != CONTINUOUS:
+            _complete_limit(lowering, key, name, joint_type, fields, children, motor)
     joint = _joint_element(key, name, joint_type, children)
     lowering.give_trace(joint)
     if "parent" not in fields.plain:
@@ -237,15 +251,21 @@ def _lower_record(lowering: Lowering, key: Element) -> Element:
     return record.element()
 
 
-def _assume_limits(
+def _complete_limit(
     lowering: Lowering,
     key: Element,
     joint: str,
     joint_type: JointType,
     fields: Fields,
     children: list[Node],
+    motor: Values,
 ) -> None:
-    """Fill in what URDF needs of a revolute or prismatic joint's limit, with one warning."""
+    """Fill in what a limit lacks: what the motor has, and what URDF needs, with one warning.
+
+    URDF needs limits of revolute and prismatic joints. A continuous joint without any has those of
+    the motor if both are known, since URDF takes none alone.
+    """
+    is_needed = joint_type.name in ASSUMED_RANGES
     limit: Element | None = None
     for node in children:
         if isinstance(node, Element) and node.name == "limit":
@@ -256,21 +276,33 @@ def _assume_limits(
         return  # it is faulty, which has been reported
     given = limit.attributes if limit is not None else {}
     assumed: dict[str, object] = {}
-    if "lower" not in given and "upper" not in given:
+    if is_needed and "lower" not in given and "upper" not in given:
         assumed["lower"], assumed["upper"] = ASSUMED_RANGES[joint_type.name]
-    if "effort" not in given:
-        assumed["effort"] = ASSUMED_EFFORT
-    if "velocity" not in given:
-        assumed["velocity"] = ASSUMED_VELOCITY
-    if not assumed:
+    places: dict[str, Span] = {}
+    added = dict(assumed)
+    for attribute, usual in (("effort", ASSUMED_EFFORT), ("velocity", ASSUMED_VELOCITY)):
+        if attribute in given:
+            continue
+        if attribute in motor:
+            added[attribute], places[attribute] = motor[attribute]
+        elif is_needed:
+            added[attribute] = assumed[attribute] = usual
+    if not added or (limit is None and not is_needed and len(added) < 2):
         return
     if limit is not None:
         span = limit.span
-        full = {**assumed, **given} if "lower" in assumed else {**given, **assumed}
-        children[children.index(limit)] = with_attributes(limit, full)
+        full = {**added, **given} if "lower" in added else {**given, **added}
+        completed = with_attributes(limit, full)
+        places |= {name: limit.value_span(name) for name in given}
+        children[children.index(limit)] = completed
     else:
         span = joint_type.key_span
-        children.append(Element("limit", span, attributes=assumed, trace=key.trace))
+        completed = Element("limit", span, attributes=added, trace=key.trace)
+        children.append(completed)
+    if motor:
+        completed.value_spans = places
+    if not assumed:
+        return
     filled = " ".join(f"{name}={format_value(value)}" for name, value in assumed.items())
     lowering.report(
         "assumed-limit",

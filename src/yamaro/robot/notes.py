@@ -148,8 +148,6 @@ def lower_joint_words(
 
     Of several actuators that statements give, the last one counts.
     """
-    from .extras import lower_actuator, lower_joint_sensor
-
     actuators = [word for word in words if word.name == "actuator"]
     for second in actuators[1:]:
         if second.body is not actuators[0].body:
@@ -168,8 +166,12 @@ def lower_joint_words(
     for word in words:
         if word.name == "actuator":
             if word is actuators[-1]:
+                from .actuator import lower_actuator
+
                 lower_actuator(lowering, word, joint, out)
         else:
+            from .extras import lower_joint_sensor
+
             name = format_value(joint.attributes.get("name"))
             lower_joint_sensor(lowering, word, name, out)
 

@@ -278,7 +278,7 @@ def _lower_each(lowering: Lowering, part: Element, out: list[Node]) -> None:
             _lower_beside(lowering, node, beside)
         elif node.name == "joint":
             joint, words = take_words(node, JOINT_WORDS)
-            lowered = lower_joint(lowering, joint, names.joint, child=names.link)
+            lowered = lower_joint(lowering, joint, names.joint, child=names.link, words=words)
             out.append(lowered)
             if words:
                 lowering.has_words = True

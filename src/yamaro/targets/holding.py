@@ -15,7 +15,7 @@ from functools import cache
 
 from ..model.extras import CAMERAS, Ranger
 from ..model.joint import SINGLE, UNLIMITED
-from ..model.schema import COLLISIONS, CONTROL, ELEMENTS, GROUP, MOMENTS
+from ..model.schema import ACTUATOR, COLLISIONS, CONTROL, ELEMENTS, GROUP, MOMENTS
 from .gains import EFFORT, VELOCITY
 from .losses import APPROXIMATED, LOST, Losses
 from .table import TARGETS
@@ -77,6 +77,9 @@ _COLLISIONS = _lost("`collisions` sections", SRDF_HINT)
 _CONTROLS = _lost("blocks of ros2_control")
 _ACTUATORS = _lost("actuators")
 _GAINS = _lost("gains of actuators")
+_ARMATURES = _lost("armatures of actuators")
+_LINES = _lost("torque-speed lines of motors")
+_DELAYS = _lost("delays of actuators")
 _CONES = _partly(APPROXIMATED, "cones of range sensors")
 _MIMICS = _lost("mimic joints")
 _LIDARS = _lost("lidar sensors")
@@ -148,14 +151,20 @@ ROWS: dict[str, tuple[Cell, Cell, Cell, Cell]] = {
     "actuator.command": ("command_interface", _ACTUATORS, "class", "stiffness"),
     "actuator.kp": (_GAINS, _ACTUATORS, "kp", "stiffness"),
     "actuator.kd": (_GAINS, _ACTUATORS, "kv", "damping"),
-    "actuator.armature": (
-        *(_lost("armatures of actuators"), _ACTUATORS, "armature"),
-        _lost("armatures of actuators"),
+    "actuator.frequency": (_GAINS, _ACTUATORS, "kp", "stiffness"),
+    "actuator.damping_ratio": (_GAINS, _ACTUATORS, "kv", "damping"),
+    **dict.fromkeys(
+        ("actuator.armature", "actuator.rotor_inertia"),
+        (_ARMATURES, _ACTUATORS, "armature", _ARMATURES),
     ),
     "actuator.gear": (
-        *(_lost("gears of actuators", GEAR_HINT), _ACTUATORS, "gear"),
-        _lost("gears of actuators"),
+        *(_lost("gears of actuators", GEAR_HINT), _ACTUATORS, "armature", _ARMATURES),
     ),
+    **dict.fromkeys(
+        ("actuator.stall_torque", "actuator.no_load_speed"),
+        (_LINES, _ACTUATORS, _LINES, _LINES),
+    ),
+    "actuator.delay": (_DELAYS, _ACTUATORS, _DELAYS, _DELAYS),
     "surface.friction": (_NO_SURFACE, "mu", "friction", "physics:dynamicFriction"),
     "surface.friction2": (
         *(_NO_SURFACE, "mu2", _lost("second coefficients of friction")),
@@ -326,6 +335,25 @@ def lost_of_joints(
 
 
 # --- actuators ----------------------------------------------------------------------------------
+
+
+def lost_values(actuator: Actuator, format: str, *, but: Container[str] = ()) -> Losses:
+    """Return what the rows say is lost of an actuator; values that follow from one place once.
+
+    Args:
+        actuator: the actuator.
+        format: the format.
+        but: the names of values that are held there.
+    """
+    found = Losses()
+    told = set()
+    for name, missing in lost_fields(format, "actuator").items():
+        usual = ACTUATOR.fields[name].default or 0.0
+        place = (missing.what, actuator.span_of(name).key())
+        if name not in but and place not in told and getattr(actuator, name) not in (None, usual):
+            told.add(place)
+            found.lose(missing.what, actuator, field=name, hint=missing.hint)
+    return found
 
 
 def lost_of_actuator(actuator: Actuator) -> Losses:

@@ -1,4 +1,7 @@
-"""Actuators, and keyframes: what drives the joints, and where they rest."""
+"""Actuators, and keyframes: what drives the joints, and where they rest.
+
+Controls, gains and forces are those of the joint: a gear acts by the armature alone.
+"""
 
 from __future__ import annotations
 
@@ -10,7 +13,7 @@ from ...model.pose import IDENTITY
 from ...model.positions import HOME, positions_in
 from ..elements import element
 from ..gains import EFFORT, POSITION, VELOCITY, Gains
-from ..holding import lost_of_actuator
+from ..holding import lost_of_actuator, lost_values
 from .joints import effort_of, numbers_of, range_of
 from .model import ACTUATOR, JOINTS, Writing
 from .scene import heights_at
@@ -37,31 +40,29 @@ def add_actuators(writing: Writing) -> None:
             writing.losses.lose("actuators of joints that are not independent", actuator)
             continue
         writing.losses += lost_of_actuator(actuator)
-        gear = actuator.gear or 1.0
+        writing.losses += lost_values(actuator, "mjcf")
         command = actuator.command
         effort = effort_of(joint)
-        force = (-effort / abs(gear), effort / abs(gear)) if effort is not None else None
+        force = (-effort, effort) if effort is not None else None
         places: dict[str, Span] = {"joint": actuator.span_of("joint")}
-        for key, source in (("kp", "kp"), ("kv", "kd"), ("gear", "gear")):
+        for key, source in (("kp", "kp"), ("kv", "kd")):
             places[key] = actuator.span_of(source)
         if joint.limit is not None:
             places["forcerange"] = joint.limit.span_of("effort")
-        control = _control(joint, command, gear, force)
         attributes: Attributes = {
             "name": writing.names.fresh(ACTUATOR, joint.name),
             "joint": joint.name,
-            **_gains(actuator, joint, gains, gear * gear),
-            "gear": gear if gear != 1 else None,
-            "ctrlrange": control,
+            **_gains(actuator, joint, gains),
+            "ctrlrange": _control(joint, command, force),
             "forcerange": force if command != EFFORT else None,
         }
-        writing.controls.append((joint.name, command, gear))
+        writing.controls.append((joint.name, command))
         word = WORDS.get(command, "motor")
         writing.add("actuator", element(word, attributes, owner=actuator, places=places))
 
 
 def _control(
-    joint: Joint, command: str, gear: float, force: tuple[float, float] | None
+    joint: Joint, command: str, force: tuple[float, float] | None
 ) -> tuple[float, float] | None:
     """Return the least and the greatest control, or None for no limits."""
     if command == EFFORT:
@@ -70,24 +71,20 @@ def _control(
         fastest = joint.limit.velocity if joint.limit is not None else None
         if fastest is None or not 0 < fastest < inf:
             return None
-        return (-fastest * abs(gear), fastest * abs(gear))
-    ends = range_of(joint)
-    if ends is None:
-        return None
-    lower, upper = sorted((ends[0] * gear, ends[1] * gear))
-    return (lower, upper)
+        return (-fastest, fastest)
+    return range_of(joint)
 
 
-def _gains(actuator: Actuator, joint: Joint, gains: Gains, ratio: float) -> Attributes:
-    """Return the gains of a servo, at the motor; those of the joint are `ratio` times as large."""
+def _gains(actuator: Actuator, joint: Joint, gains: Gains) -> Attributes:
+    """Return the gains of a servo."""
     if actuator.command == EFFORT:
         return {}
     if actuator.command == VELOCITY:
-        return {"kv": gains.of_velocity(joint, actuator) / ratio}
+        return {"kv": gains.of_velocity(joint, actuator)}
     stiffness = actuator.kp if actuator.kp is not None else gains.of_position(joint)
-    found: Attributes = {"kp": stiffness / ratio}
+    found: Attributes = {"kp": stiffness}
     if actuator.kd is not None:
-        found["kv"] = actuator.kd / ratio
+        found["kv"] = actuator.kd
     else:
         found["dampratio"] = 1
     return found
@@ -139,9 +136,9 @@ def _add_key(
             found[2] += heights.get(link, 0.0)
         numbers += found
     controls = []
-    for joint, command, gear in writing.controls:
+    for joint, command in writing.controls:
         target = positions.get(joint) if command == POSITION else None
-        controls.append(target * gear if isinstance(target, float) else 0.0)
+        controls.append(target if isinstance(target, float) else 0.0)
     controls += [0.0] * others
     attributes: Attributes = {"name": name, "qpos": numbers, "ctrl": controls or None}
     writing.add("keyframe", element("key", attributes, owner=state or writing.robot.element))

@@ -170,7 +170,7 @@ class Writing:
         errors: why there is no document.
         motions: of each joint in MJCF, by name, the joint that it is and which part of it; for the
             free joint of a root, that link and `base`.
-        controls: the joint, the command and the gear of each actuator.
+        controls: the joint and the command of each actuator.
         collisions: what collides: the link, the collision, and of a mesh the outer corners.
         solids: the same at home, once it is worked out.
     """
@@ -185,7 +185,7 @@ class Writing:
         self.wanted = wanted
         self.model = robot.name or wanted.name
         self.classes = Classes(self.model)
-        self.controls: list[tuple[str, str, float]] = []
+        self.controls: list[tuple[str, str]] = []
         self.collisions: list[tuple[Link, Collision, Sequence[Vector]]] = []
         self.solids: list[Solid] | None = None
         self.motions: dict[str, tuple[str, str]] = {}

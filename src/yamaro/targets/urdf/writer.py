@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...diagnostics import Reporter
-from ..holding import cones, lost_fields, lost_sections
+from ..holding import cones, lost_sections, lost_values
 from ..losses import Losses
 from ..output import Output
 from .gazebo import with_gazebo
@@ -42,10 +42,8 @@ def write(robot: Robot, wanted: Wanted) -> Output:
         if actuator.joint not in driven:
             losses.lose("actuators", actuator, hint="add a section `control`")
             continue
-        for name, missing in lost_fields("urdf", "actuator").items():
-            if actuator.number(name) is not None:
-                if name != "gear" or actuator.joint not in geared:
-                    losses.lose(missing.what, actuator, field=name, hint=missing.hint)
+        held = ("gear",) if actuator.joint in geared else ()
+        losses += lost_values(actuator, "urdf", but=held)
     losses += lost_sections(robot, states=True)
     if robot.base is not None and robot.base.type == "free":
         losses.lose("free bases", robot.base, label=f"robot '{robot.name}'")

@@ -13,9 +13,8 @@ from pxr import Gf, Sdf, Usd, UsdPhysics
 from ...model.joint import CONTINUOUS, FIXED, FLOATING, PLANAR, PRISMATIC, SINGLE
 from ...model.kinematics import WORLD
 from ...model.pose import Pose, multiply, rotation_about, rotation_from_z
-from ...model.schema import ACTUATOR
 from ..gains import POSITION, VELOCITY, Gains
-from ..holding import lost_fields, lost_of_actuator, lost_of_joints
+from ..holding import lost_of_actuator, lost_of_joints, lost_values
 from .prims import element_of, quaternion_of
 
 if TYPE_CHECKING:
@@ -92,10 +91,9 @@ class JointWriter:
                 actuator = robot.actuators.get(joint.name)
                 if actuator is not None:
                     self.losses += lost_of_actuator(actuator)
-                    for name, missing in lost_fields("usd", "actuator").items():
-                        usual = ACTUATOR.fields[name].default or 0.0
-                        if getattr(actuator, name) not in (None, usual):
-                            self.losses.lose(missing.what, joint, part=actuator, field=name)
+                    is_reflected = actuator.rotor_inertia is not None
+                    held = () if is_reflected else ("gear",)
+                    self.losses += lost_values(actuator, "usd", but=held)
                 if joint.type == FLOATING:
                     how = "links that no joint holds"
                     self.losses.approximate("floating joints", joint, how=how)
