@@ -11,6 +11,7 @@ from lxml import etree
 
 from .feature import Key
 
+COMMANDS = {"motor": "effort", "ff": "effort", "pos": "position", "vel": "velocity"}
 KINDS = {"hinge": "revolute", "slide": "prismatic", "free": "floating", "ball": "ball"}
 
 
@@ -39,7 +40,8 @@ def read(text: str, own: Mapping[str, str]) -> Iterator[Key]:
         yield ("mimic", equality.get("joint1"), equality.get("joint2"), factor, offset)
     for actuator in root.iterfind("actuator/*"):
         yield ("actuated", actuator.get("joint"))
-        command = "effort" if actuator.tag == "motor" else actuator.tag
+        given = actuator.get("input") if actuator.tag == "dcmotor" else actuator.tag
+        command = COMMANDS.get(given, given)
         yield ("command", actuator.get("joint"), command)
     yield from _sensors(root, own)
 

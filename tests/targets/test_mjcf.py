@@ -161,6 +161,81 @@ def test_a_step_gives_the_same_response_with_gear_1_and_345(tmp_path: Path, comm
     assert abs(responses[0][-1] - responses[0][0]) > 1e-3  # it moves
 
 
+LINE = "stall_torque: 6, no_load_speed: 3"
+"""Of a motor at a joint whose limit allows 8 N·m and 1 rad/s."""
+
+
+def driven(path: Path, actuator: str, effort: float = 8) -> tuple[Any, Any, Any]:
+    """Return MuJoCo, a robot whose last joint has an actuator, and its state at home."""
+    mujoco = require_module("mujoco")
+    text = STATES.replace("kp: 32, kd: 16, gear: 4", actuator)
+    path.write_text(text.replace("effort: 8", f"effort: {effort}"))
+    model = mujoco.MjModel.from_xml_string(mjcf_of(path, base="fixed").xml())
+    data = mujoco.MjData(model)
+    mujoco.mj_resetDataKeyframe(model, data, model.key("home").id)
+    return mujoco, model, data
+
+
+@pytest.mark.parametrize("effort", [8.0, 2.5])
+@pytest.mark.parametrize("speed", [-4.0, -1.5, 0.0, 0.75, 2.0, 3.0, 4.0])
+@pytest.mark.parametrize("command", ["position", "velocity", "effort"])
+def test_the_line_of_a_motor_bounds_its_torque_at_each_speed(
+    tmp_path: Path, command: str, speed: float, effort: float
+) -> None:
+    actuator = f"{LINE}, command: {command}, {'kp: 1e6' if command != 'effort' else ''}"
+    mujoco, model, data = driven(tmp_path / "robot.yaml", actuator, effort)
+    name, joint = model.actuator("c_joint").id, model.joint("c_joint")
+    model.actuator_ctrllimited[:] = False
+    data.qvel[joint.dofadr[0]] = speed
+    most = min(effort, 6.0)
+    for sign in (1, -1):
+        data.ctrl[name] = sign * 1e6
+        mujoco.mj_forward(model, data)
+        # T = τ·(±1 − ω/Ω), and never more than the effort.
+        expected = max(-most, min(most, 6.0 * (sign - speed / 3.0)))
+        assert data.qfrc_actuator[joint.dofadr[0]] == pytest.approx(expected, abs=1e-12)
+
+
+def test_below_its_line_a_motor_is_a_servo_with_the_gains_of_the_joint(tmp_path: Path) -> None:
+    responses = []
+    for line in ("", f", {LINE}"):
+        mujoco, model, data = driven(tmp_path / "robot.yaml", f"kp: 32, kd: 4{line}")
+        dof = model.joint("c_joint").qposadr[0]
+        data.ctrl[model.actuator("c_joint").id] += 0.1
+        response = []
+        for _ in range(200):
+            mujoco.mj_step(model, data)
+            response.append(float(data.qpos[dof]))
+        responses.append(response)
+    assert responses[0] == pytest.approx(responses[1], abs=1e-12)
+    assert abs(responses[0][-1] - responses[0][0]) > 0.05
+
+
+def test_a_motor_without_gains_holds_its_joint(tmp_path: Path) -> None:
+    mujoco, model, data = driven(tmp_path / "robot.yaml", LINE)
+    while data.time < 2:
+        mujoco.mj_step(model, data)
+    assert data.qpos == pytest.approx(model.key("home").qpos, abs=0.01)
+    assert not any(data.warning[i].number for i in range(mujoco.mjtWarning.mjNWARNING))
+
+
+@pytest.mark.parametrize("line", ["", f", {LINE}"])
+@pytest.mark.parametrize("step", [0.002, 0.001, 0.0005])
+def test_a_command_is_obeyed_after_the_delay(tmp_path: Path, line: str, step: float) -> None:
+    mujoco, model, data = driven(tmp_path / "robot.yaml", f"kp: 32, kd: 4, delay: 10 ms{line}")
+    model.opt.timestep = step
+    mujoco.mj_resetDataKeyframe(model, data, model.key("home").id)
+    dof, name = model.joint("c_joint").dofadr[0], model.actuator("c_joint").id
+    while data.time < 0.1:
+        mujoco.mj_step(model, data)
+    before, given = float(data.qfrc_actuator[dof]), data.time
+    data.ctrl[name] += 0.1
+    while abs(data.qfrc_actuator[dof] - before) < 1:
+        mujoco.mj_step(model, data)
+    # The force is that of the time before the step.
+    assert data.time - step - given == pytest.approx(0.01, abs=step)
+
+
 def test_the_scene_holds_the_robot_and_a_floor_that_it_stands_on(tmp_path: Path) -> None:
     mujoco = require_module("mujoco")
     build = mjcf_of(ROOT / "examples" / "quadruped" / "quadruped.yaml", base="free")

@@ -162,9 +162,9 @@ ROWS: dict[str, tuple[Cell, Cell, Cell, Cell]] = {
     ),
     **dict.fromkeys(
         ("actuator.stall_torque", "actuator.no_load_speed"),
-        (_LINES, _ACTUATORS, _LINES, _LINES),
+        (_LINES, _ACTUATORS, "nominal", _LINES),
     ),
-    "actuator.delay": (_DELAYS, _ACTUATORS, _DELAYS, _DELAYS),
+    "actuator.delay": (_DELAYS, _ACTUATORS, "delay", _DELAYS),
     "surface.friction": (_NO_SURFACE, "mu", "friction", "physics:dynamicFriction"),
     "surface.friction2": (
         *(_NO_SURFACE, "mu2", _lost("second coefficients of friction")),
@@ -286,6 +286,7 @@ def lost_of_joints(
     has_mimic: bool = True,
     has_dynamics: Container[str] = (),
     mimic_hint: str = "",
+    bounded: Container[str] = (),
 ) -> Losses:
     """Return what a format has no place for in the joints of the tree, as its rows say.
 
@@ -295,6 +296,7 @@ def lost_of_joints(
         has_mimic: whether this version of it has joints that follow others, if the format has.
         has_dynamics: which types of joints of no or several numbers have damping and friction.
         mimic_hint: what to do about joints that follow others.
+        bounded: the names of joints whose motor keeps them below the velocity of their limit.
     """
     has_mimic = has_mimic and not lost_fields(format, "mimic")
     found, of_dynamics = Losses(), Losses()
@@ -306,7 +308,8 @@ def lost_of_joints(
             if limit is not None:
                 for name, missing in lost_fields(format, "limit").items():
                     value = limit.number(name)
-                    if value is not None and abs(value) < UNLIMITED:
+                    is_kept = name == "velocity" and joint.name in bounded
+                    if value is not None and abs(value) < UNLIMITED and not is_kept:
                         found.lose(missing.what, joint, part=limit, field=name)
             if dynamics is not None:
                 for name, missing in lost_fields(format, "dynamics").items():

@@ -245,9 +245,11 @@ def test_a_tower_falls_if_its_centre_of_mass_is_outside_of_its_base(tmp_path, le
     assert (result.tilt > np.radians(45)) == (centre > 0.1)
 
 
-def test_a_weak_motor_lets_the_mast_sag(tmp_path) -> None:
+@pytest.mark.parametrize("line", ["", ", stall_torque: 90, no_load_speed: 20"])
+def test_a_weak_motor_lets_the_mast_sag(tmp_path, monkeypatch, line) -> None:
     # The weight m·g·l/2·sin(q) turns the spring kp until both are equal, on the way there by at
     # most twice as much, as a spring without damping would.
+    monkeypatch.setitem(globals(), "TOWER", TOWER.replace("kd: 10", f"kd: 10{line}"))
     result = held(tmp_path, base="fixed", lean=0.8, kp=3)
     assert not result.is_stable
     assert result.sag > 0.1

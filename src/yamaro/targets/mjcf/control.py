@@ -1,18 +1,23 @@
 """Actuators, and keyframes: what drives the joints, and where they rest.
 
 Controls, gains and forces are those of the joint: a gear acts by the armature alone.
+
+A motor with a line from its stall torque to its no-load speed is a `dcmotor` of MuJoCo 3.12 or
+newer, whose controller commands torques that the voltage bounds: T = τ·(v − ω/Ω) with the stall
+torque τ, the no-load speed Ω and v from −1 to 1. Its nominal voltage is 1 V, since only the line is
+known. A delay is a buffer of controls, of MuJoCo 3.5 or newer.
 """
 
 from __future__ import annotations
 
-from math import inf
+from math import ceil, inf
 
 from ...model.joint import SINGLE
 from ...model.kinematics import joint_positions, link_poses
 from ...model.pose import IDENTITY
 from ...model.positions import HOME, positions_in
 from ..elements import element
-from ..gains import EFFORT, POSITION, VELOCITY, Gains
+from ..gains import EFFORT, POSITION, TIME_STEP, VELOCITY, Gains
 from ..holding import lost_of_actuator, lost_values
 from .joints import effort_of, numbers_of, range_of
 from .model import ACTUATOR, JOINTS, Writing
@@ -27,10 +32,30 @@ if TYPE_CHECKING:
     from ..elements import Attributes
 
 WORDS = {POSITION: "position", VELOCITY: "velocity", EFFORT: "motor"}
+SOURCES = {
+    "joint": "joint",
+    "kp": "kp",
+    "kv": "kd",
+    "delay": "delay",
+    "controller": "kp",
+    "nominal": "stall_torque",
+}
+"""What the attributes of an actuator are made of."""
+INPUTS = {POSITION: "pos", VELOCITY: "vel", EFFORT: "ff"}
+"""What the control of a `dcmotor` is."""
+SHORTEST_STEP = TIME_STEP / 4
+"""In s: a delay has a buffer that is long enough for time steps down to this one."""
+LONGEST_DELAY = 10.0
+"""In s: what needs a longer buffer than this is taken for a mistake."""
 
 
-def add_actuators(writing: Writing) -> None:
-    """Append the actuators, in the order of the joints."""
+def add_actuators(writing: Writing) -> set[str]:
+    """Append the actuators, in the order of the joints.
+
+    Returns:
+        The joints whose motor keeps them below the velocity of their limit.
+    """
+    bounded = set()
     robot = writing.robot
     gains = Gains(robot, is_fixed=writing.wanted.is_fixed, has_armature=True)
     for name, actuator in robot.actuators.items():
@@ -42,23 +67,45 @@ def add_actuators(writing: Writing) -> None:
         writing.losses += lost_of_actuator(actuator)
         writing.losses += lost_values(actuator, "mjcf")
         command = actuator.command
-        effort = effort_of(joint)
+        effort, stall, speed = effort_of(joint), actuator.stall_torque, actuator.no_load_speed
+        if stall is not None:
+            effort = min(effort, stall) if effort is not None else stall
+        elif speed is not None:
+            what = "no-load speeds of motors without a stall torque"
+            writing.losses.lose(what, actuator, field="no_load_speed")
         force = (-effort, effort) if effort is not None else None
-        places: dict[str, Span] = {"joint": actuator.span_of("joint")}
-        for key, source in (("kp", "kp"), ("kv", "kd")):
-            places[key] = actuator.span_of(source)
+        places: dict[str, Span] = {key: actuator.span_of(name) for key, name in SOURCES.items()}
         if joint.limit is not None:
-            places["forcerange"] = joint.limit.span_of("effort")
+            places["forcerange"] = places["saturation"] = joint.limit.span_of("effort")
         attributes: Attributes = {
             "name": writing.names.fresh(ACTUATOR, joint.name),
             "joint": joint.name,
-            **_gains(actuator, joint, gains),
-            "ctrlrange": _control(joint, command, force),
-            "forcerange": force if command != EFFORT else None,
         }
-        writing.controls.append((joint.name, command))
         word = WORDS.get(command, "motor")
+        if stall is not None and speed is not None:
+            word = "dcmotor"
+            attributes |= {
+                "nominal": (1.0, stall, speed),
+                **_controller(actuator, joint, gains),
+                "saturation": (effort or stall, 0.0, 0.0),
+            }
+            limit = joint.limit.velocity if joint.limit is not None else None
+            if limit is not None and limit >= speed:
+                bounded.add(joint.name)
+        else:
+            attributes |= _gains(actuator, joint, gains)
+        attributes["ctrlrange"] = _control(joint, command, force)
+        if word in ("position", "velocity"):
+            attributes["forcerange"] = force
+        if actuator.delay is not None and actuator.delay > LONGEST_DELAY:
+            what = f"delays of more than {LONGEST_DELAY:g} s"
+            writing.losses.lose(what, actuator, field="delay")
+        elif actuator.delay:
+            attributes["nsample"] = ceil(actuator.delay / SHORTEST_STEP)
+            attributes["delay"] = actuator.delay
+        writing.controls.append((joint.name, command))
         writing.add("actuator", element(word, attributes, owner=actuator, places=places))
+    return bounded
 
 
 def _control(
@@ -88,6 +135,19 @@ def _gains(actuator: Actuator, joint: Joint, gains: Gains) -> Attributes:
     else:
         found["dampratio"] = 1
     return found
+
+
+def _controller(actuator: Actuator, joint: Joint, gains: Gains) -> Attributes:
+    """Return the gains of the servo in a `dcmotor`, and what its control is."""
+    kp = kd = 0.0
+    if actuator.command == POSITION:
+        kp = actuator.kp if actuator.kp is not None else gains.of_position(joint)
+        kd = actuator.kd if actuator.kd is not None else gains.damping(joint, kp)
+    elif actuator.command == VELOCITY:
+        kd = gains.of_velocity(joint, actuator)
+    most = 1.0  # V
+    inputs = INPUTS.get(actuator.command, "ff")
+    return {"input": inputs, "controller": (kp, 0.0, kd, 0.0, 0.0, most)}
 
 
 # --- keyframes: the robot's states, and where it rests if it says nothing of `home` -----------

@@ -36,6 +36,8 @@ SPHERE, CAPSULE, ELLIPSOID, CYLINDER, MESH = 2, 3, 4, 5, 7
 """Types of geoms, as `mjtGeom` numbers them."""
 JOINT = 0
 """What an actuator acts on, as `mjtTrn` numbers it."""
+DC_MOTOR, STIFFNESS = 3, 4
+"""A `dcmotor`, as `mjtGain` numbers it, and where its stiffness is in `actuator_gainprm`."""
 TILT = np.radians(45)
 """How far a free base may tilt."""
 LEAST_HEIGHT = 0.5
@@ -120,7 +122,11 @@ class _Watch:
             self._height = data.subtree_com[self._base, 2] - self._floor
             self._up: Floats = data.xmat[self._base].reshape(3, 3)[2].copy()
         # A position actuator holds a joint: its force falls with the position.
-        is_servo = (model.actuator_trntype == JOINT) & (model.actuator_biasprm[:, 1] < 0)
+        is_motor = model.actuator_gaintype == DC_MOTOR
+        holds = np.where(
+            is_motor, model.actuator_gainprm[:, STIFFNESS], -model.actuator_biasprm[:, 1]
+        )
+        is_servo = (model.actuator_trntype == JOINT) & (holds > 0)
         driven = np.unique(model.actuator_trnid[is_servo, 0])
         self._places: Floats = model.jnt_qposadr[driven]
         self._home: Floats = data.qpos[self._places].copy()
