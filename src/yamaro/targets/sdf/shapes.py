@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...model.shapes import Box, Capsule, Cylinder, Mesh, Sphere
+from ...xml.tree import Element
 from ..elements import UsedNames, element, given, settle
 from .links import pose_of, row_of
 from .sensors import surface_of
@@ -14,7 +15,6 @@ if TYPE_CHECKING:
     from ...model.link import Collision, Link, Visual
     from ...model.robot import Robot
     from ...model.shapes import Shape
-    from ...xml.tree import Element
     from ..losses import Losses
     from ..output import Wanted
     from .gazebo import GazeboBlocks
