@@ -1,6 +1,7 @@
 """The features of a robot in USD.
 
-Source: https://openusd.org/release/api/usd_physics_page_front.html.
+Sources: https://openusd.org/release/api/usd_physics_page_front.html and, for what is in the
+namespace `newton`, https://pypi.org/project/newton-usd-schemas/.
 """
 
 from __future__ import annotations
@@ -37,7 +38,14 @@ def read(text: str, own: Mapping[str, str]) -> Iterator[Key]:
             yield ("sensor", name)
             for each in ("horizontal_fov", "near", "far", "pose", "always_on"):
                 yield ("in sensor", name, each)
-        elif prim.IsA(UsdGeom.Gprim):
+        elif prim.GetTypeName() == "NewtonActuator":  # without gains: by its effort
+            (joint,) = prim.GetRelationship("newton:targets").GetTargets()
+            yield ("actuated", own.get(joint.name, joint.name))
+            yield ("command", own.get(joint.name, joint.name), "effort")
+        elif (
+            prim.IsA(UsdGeom.Gprim)
+            and "NewtonSiteAPI" not in prim.GetPrimTypeInfo().GetAppliedAPISchemas()
+        ):
             yield from _shape(prim)
             yield ("shape name", name)
         elif prim.IsA(UsdGeom.Xform) and prim != stage.GetDefaultPrim():
@@ -65,8 +73,21 @@ def _joint(prim: Usd.Prim, name: str, own: Mapping[str, str]) -> Iterator[Key]:
     if has_limits:
         ends = (lower, upper) if is_linear else (radians(lower), radians(upper))
         yield ("range", name, *ends)
-    drive = UsdPhysics.DriveAPI(prim, "linear" if is_linear else "angular")
-    if not prim.HasAPI(UsdPhysics.DriveAPI, "linear" if is_linear else "angular"):
+    unit = 1.0 if is_linear else degrees(1)
+    for key, attribute, factor in (
+        ("damping", "newton:damping", unit),
+        ("friction", "newton:friction", 1.0),
+        ("velocity", "newton:velocityLimit", 1 / unit),
+    ):
+        value = prim.GetAttribute(attribute).Get()
+        if value is not None:
+            yield (key, name, value * factor)
+    for leader in prim.GetRelationship("newton:mimicJoint").GetTargets():
+        factor, offset = (prim.GetAttribute(f"newton:mimicCoef{each}").Get() for each in (1, 0))
+        yield ("mimic", name, own.get(leader.name, leader.name), factor, offset / unit)
+    axis = "linear" if is_linear else "angular"
+    drive = UsdPhysics.DriveAPI(prim, axis)
+    if not prim.HasAPI(UsdPhysics.DriveAPI, axis):
         return
     if drive.GetStiffnessAttr().Get() or drive.GetDampingAttr().Get():
         yield ("actuated", name)  # by its position or by its speed
@@ -75,9 +96,6 @@ def _joint(prim: Usd.Prim, name: str, own: Mapping[str, str]) -> Iterator[Key]:
     effort = drive.GetMaxForceAttr().Get()
     if isfinite(effort):
         yield ("effort", name, effort)
-    damping = drive.GetDampingAttr().Get() * (1.0 if is_linear else degrees(1))
-    if damping:
-        yield ("damping", name, damping)
 
 
 def _shape(prim: Usd.Prim) -> Iterator[Key]:
@@ -99,6 +117,10 @@ def _shape(prim: Usd.Prim) -> Iterator[Key]:
         yield ("color", "mesh" if name == "Mesh" else "shape", *color, alpha)
     friction = bound.GetDirectBinding("physics").GetMaterial()
     if friction:
-        value = UsdPhysics.MaterialAPI(friction.GetPrim()).GetStaticFrictionAttr().Get()
+        prim = friction.GetPrim()
+        value = UsdPhysics.MaterialAPI(prim).GetStaticFrictionAttr().Get()
         yield ("gazebo", "mu", value)
         yield ("gazebo", "mu2", value)
+        for key, attribute in (("kp", "contactStiffness"), ("kd", "contactDamping")):
+            if prim.HasAttribute(f"newton:{attribute}"):
+                yield ("gazebo", key, prim.GetAttribute(f"newton:{attribute}").Get())

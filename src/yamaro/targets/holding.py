@@ -81,7 +81,6 @@ _ARMATURES = _lost("armatures of actuators")
 _LINES = _lost("torque-speed lines of motors")
 _DELAYS = _lost("delays of actuators")
 _CONES = _partly(APPROXIMATED, "cones of range sensors")
-_MIMICS = _lost("mimic joints")
 _LIDARS = _lost("lidar sensors")
 _RANGES = _lost("range sensors")
 
@@ -122,24 +121,18 @@ ROWS: dict[str, tuple[Cell, Cell, Cell, Cell]] = {
     "limit.effort": ("effort", "effort", "actuatorfrcrange", "maxForce"),
     "limit.velocity": (
         *("velocity", "velocity"),
-        *(_lost("velocity limits"), _lost("velocity limits")),
+        *(_lost("velocity limits"), "newton:velocityLimit"),
     ),
     **{
         f"limit.{name}": (name, lost, lost, lost)
         for name in ("acceleration", "deceleration", "jerk")
         for lost in [_lost(f"{name} limits")]
     },
-    "dynamics.damping": (
-        *("damping", "damping", "damping"),
-        _partly(APPROXIMATED, "damping values of joints"),
-    ),
-    "dynamics.friction": (
-        *("friction", "friction", "frictionloss"),
-        _lost("friction values of joints"),
-    ),
-    "mimic.joint": ("joint", "joint", "joint1", _MIMICS),
-    "mimic.multiplier": ("multiplier", "multiplier", "polycoef", _MIMICS),
-    "mimic.offset": ("offset", "offset", "polycoef", _MIMICS),
+    "dynamics.damping": (*("damping", "damping", "damping", "newton:damping"),),
+    "dynamics.friction": (*("friction", "friction", "frictionloss", "newton:friction"),),
+    "mimic.joint": ("joint", "joint", "joint1", "newton:mimicJoint"),
+    "mimic.multiplier": ("multiplier", "multiplier", "polycoef", "newton:mimicCoef1"),
+    "mimic.offset": ("offset", "offset", "polycoef", "newton:mimicCoef0"),
     **{
         f"safety_controller.{name}": (name, _SOFT, _SOFT, _SOFT)
         for name in ("soft_lower_limit", "soft_upper_limit", "k_position", "k_velocity")
@@ -155,10 +148,10 @@ ROWS: dict[str, tuple[Cell, Cell, Cell, Cell]] = {
     "actuator.damping_ratio": (_GAINS, _ACTUATORS, "kv", "damping"),
     **dict.fromkeys(
         ("actuator.armature", "actuator.rotor_inertia"),
-        (_ARMATURES, _ACTUATORS, "armature", _ARMATURES),
+        (_ARMATURES, _ACTUATORS, "armature", "newton:armature"),
     ),
     "actuator.gear": (
-        *(_lost("gears of actuators", GEAR_HINT), _ACTUATORS, "armature", _ARMATURES),
+        *(_lost("gears of actuators", GEAR_HINT), _ACTUATORS, "armature", "newton:armature"),
     ),
     **dict.fromkeys(
         ("actuator.stall_torque", "actuator.no_load_speed"),
@@ -176,11 +169,11 @@ ROWS: dict[str, tuple[Cell, Cell, Cell, Cell]] = {
     ),
     "surface.stiffness": (
         *(_NO_SURFACE, "kp", _partly(APPROXIMATED, "stiffness of contacts")),
-        _lost("stiffness of contacts"),
+        "newton:contactStiffness",
     ),
     "surface.damping": (
         *(_NO_SURFACE, "kd", _partly(APPROXIMATED, "damping of contacts")),
-        _lost("damping of contacts"),
+        "newton:contactDamping",
     ),
     "sensor.type": (_SENSORS, "type", "sensor", _partly(LOST, "sensors")),
     "sensor.rate": (_SENSORS, "update_rate", _RATES, _RATES),

@@ -6,6 +6,7 @@ from math import degrees
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 import yamaro
@@ -79,7 +80,7 @@ def test_limits_and_gains_are_in_degrees(tmp_path: Path) -> None:
     assert value("upperLimit") == pytest.approx(degrees(2))
     drive = "drive:angular:physics"
     gains = [joint.GetAttribute(f"{drive}:{name}").Get() for name in ("stiffness", "damping")]
-    assert gains == pytest.approx([50 / degrees(1), 2.5 / degrees(1)])
+    assert gains == pytest.approx([50 / degrees(1), 2 / degrees(1)])  # damping is not its drive's
     assert joint.GetAttribute(f"{drive}:maxForce").Get() == 10
 
 
@@ -131,8 +132,119 @@ def test_a_joint_with_commanded_efforts_has_no_gains(tmp_path: Path) -> None:
         for name in ("stiffness", "damping", "maxForce")
     ]
     assert found == [0, 0, 10]
-    found = [(loss.kind, loss.owner) for loss in build.losses if loss.what == "effort actuators"]
-    assert found == [("approximated", "joint 'rod_joint'")]
+    assert [loss for loss in build.losses if "actuators" in loss.what] == []
+    motor = stage.GetPrimAtPath("/my_arm/actuators/rod_joint")
+    assert motor.GetTypeName() == "NewtonActuator"
+    assert motor.GetRelationship("newton:targets").GetTargets() == [drive.GetPath()]
+    assert motor.GetAttribute("newton:maxEffort").Get() == 10
+
+
+FOLLOWERS = """
+robot: hand
+model:
+- part: {name: palm, link: {geometry: box, size: 0.1 0.1 0.02, mass: 1}}
+- part:
+    name: finger
+    joint:
+      type: revolute
+      parent: palm
+      axis: y
+      limit: {lower: 0, upper: 1, effort: 10, velocity: 3}
+      mimic: {joint: thumb_joint, multiplier: -0.5, offset: 0.1}
+    link: {geometry: box, size: 0.02 0.02 0.1, mass: 0.1}
+- part:
+    name: thumb
+    joint:
+      type: revolute
+      parent: palm
+      axis: y
+      limit: {lower: 0, upper: 1, effort: 10, velocity: 3}
+      dynamics: {damping: 0.5, friction: 0.1}
+      actuator: {kp: 50, kd: 2, armature: 0.02}
+    link: {geometry: box, size: 0.02 0.02 0.1, mass: 0.1, xyz: 0.01 0 0, rpy: 0.1 0.2 0.3}
+- part:
+    name: lock
+    joint:
+      type: prismatic
+      parent: palm
+      axis: x
+      limit: {lower: 0, upper: 1, effort: 10, velocity: 3}
+      dynamics: {damping: 5}
+      mimic: {joint: thumb_joint}
+    link:
+      geometry: sphere
+      radius: 0.01
+      mass: 0.1
+      collision: {surface: {stiffness: 1000, damping: 3}}
+"""
+
+
+def values_of(stage: Any, path: str, namespace: str) -> dict[str, Any]:
+    """Return the values of a prim in a namespace, by the rest of their names."""
+    prim = stage.GetPrimAtPath(path)
+    found = prim.GetAuthoredPropertiesInNamespace(namespace)
+    return {
+        each.GetName().removeprefix(f"{namespace}:"): each.Get()
+        for each in found
+        if hasattr(each, "Get")
+    }
+
+
+def test_newton_and_physx_have_what_usd_physics_has_no_place_for(tmp_path: Path) -> None:
+    """Per degree, as both schemas say of their angular values."""
+    stage, build = stage_of(FOLLOWERS, tmp_path)
+    thumb, lock = "/hand/joints/thumb_joint", "/hand/joints/lock_joint"
+    newton = {
+        "armature": 0.02, "damping": 0.5 / degrees(1), "friction": 0.1, "velocityLimit": degrees(3)
+    }  # fmt: skip
+    assert values_of(stage, thumb, "newton") == pytest.approx(newton)
+    physx = {
+        "armature": 0.02,
+        "viscousFrictionCoefficient": 0.5 / degrees(1),
+        "staticFrictionEffort": 0.1,
+        "dynamicFrictionEffort": 0.1,
+        "maxJointVelocity": degrees(3),
+    }
+    assert values_of(stage, thumb, "physxJointAxis:angular") == pytest.approx(physx)
+    assert values_of(stage, lock, "newton") == {"damping": 5, "velocityLimit": 3}
+    assert {"NewtonJointAPI", "PhysxJointAxisAPI:angular"} <= set(
+        stage.GetPrimAtPath(thumb).GetPrimTypeInfo().GetAppliedAPISchemas()
+    )
+    contact = {"contactStiffness": 1000, "contactDamping": 3}
+    assert values_of(stage, "/hand/materials/surface", "newton") == contact
+    assert stage.GetRootLayer().customLayerData["newton-usd-schemas"]
+    assert {loss.what for loss in build.losses} == {"joints that follow one of another unit"}
+
+
+def test_a_joint_follows_another_in_degrees(tmp_path: Path) -> None:
+    stage, build = stage_of(FOLLOWERS, tmp_path)
+    finger = stage.GetPrimAtPath("/hand/joints/finger_joint")
+    leader = finger.GetRelationship("newton:mimicJoint").GetTargets()
+    assert leader == [stage.GetPrimAtPath("/hand/joints/thumb_joint").GetPath()]
+    found = values_of(stage, "/hand/joints/finger_joint", "newton")
+    assert found["mimicCoef0"] == pytest.approx(degrees(0.1))
+    assert found["mimicCoef1"] == -0.5
+    assert [loss.owner for loss in build.losses] == ["joint 'lock_joint'"]
+
+
+def test_newton_gets_the_inertia_of_urdf_exactly(tmp_path: Path) -> None:
+    """About the centre of mass and along the axes of the link, as newton:inertia is defined."""
+    stage, build = stage_of(FOLLOWERS, tmp_path)
+    for name, link in build.robot.links.items():
+        assert link.inertial is not None
+        turn = np.array(link.inertial.pose.rotation)
+        xx, xy, xz, yy, yz, zz = link.inertial.inertia
+        tensor = turn @ [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]] @ turn.T
+        found = stage.GetPrimAtPath(f"/hand/{name}").GetAttribute("newton:inertia").Get()
+        rows, columns = [0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]
+        assert list(found) == pytest.approx(tensor[rows, columns].tolist(), abs=1e-15)
+
+
+def test_frames_are_sites(tmp_path: Path) -> None:
+    stage, _ = stage_of(ARM, tmp_path)
+    site = stage.GetPrimAtPath("/my_arm/rod_link/tip/site")
+    assert site.GetTypeName() == "Sphere"
+    assert site.GetPrimTypeInfo().GetAppliedAPISchemas() == ["NewtonSiteAPI"]
 
 
 def test_a_position_actuator_without_gains_is_exact(tmp_path: Path) -> None:
@@ -146,9 +258,6 @@ def test_what_usd_cannot_hold_is_reported(tmp_path: Path) -> None:
     found = {(loss.kind, loss.what, loss.owner) for loss in build.losses}
     assert found == {
         ("renamed", "robots", "robot 'my arm'"),
-        ("lost", "velocity limits", "joint 'rod_joint'"),
-        ("lost", "friction values of joints", "joint 'rod_joint'"),
-        ("approximated", "damping values of joints", "joint 'rod_joint'"),
         ("lost", "imu sensors", "sensor 'imu'"),
         ("lost", "sizes of cameras in pixels", "sensor 'eye'"),
     }

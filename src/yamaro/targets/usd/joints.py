@@ -1,6 +1,10 @@
-"""Joints of UsdPhysics: axes, limits, drives.
+"""Joints of UsdPhysics: axes, limits, drives, and what Newton's and PhysX's schemas hold besides.
 
 The axis of a joint is X, Y or Z in USD: here always X, to which both of its frames are turned.
+What UsdPhysics has no place for is written for Newton by `newton-usd-schemas`, and for PhysX, which
+Isaac Sim runs, by `PhysxJointAxisAPI`: https://pypi.org/project/newton-usd-schemas/ and
+https://pypi.org/project/physx-usd-schemas/. Both measure angles in degrees, as UsdPhysics does;
+Newton's actuators alone are in radians.
 """
 
 from __future__ import annotations
@@ -10,12 +14,12 @@ from typing import TYPE_CHECKING
 
 from pxr import Gf, Sdf, Usd, UsdPhysics
 
-from ...model.joint import CONTINUOUS, FIXED, FLOATING, PLANAR, PRISMATIC, SINGLE
+from ...model.joint import CONTINUOUS, FIXED, FLOATING, PLANAR, PRISMATIC, SINGLE, UNLIMITED
 from ...model.kinematics import WORLD
 from ...model.pose import Pose, multiply, rotation_about, rotation_from_z
 from ..gains import POSITION, VELOCITY, Gains
-from ..holding import lost_of_actuator, lost_of_joints, lost_values
-from .prims import element_of, quaternion_of
+from ..holding import leader_of, lost_of_actuator, lost_of_joints, lost_values
+from .prims import element_of, quaternion_of, set_values
 
 if TYPE_CHECKING:
     from ...model.joint import Joint
@@ -70,8 +74,11 @@ class JointWriter:
         self._paths = paths
         self._names = names
         self._is_fixed = is_fixed
-        self._chosen = Gains(robot, is_fixed=is_fixed, has_armature=False)
+        self._chosen = Gains(robot, is_fixed=is_fixed, has_armature=True)
         self._folder = names.new(root, "joints")
+        self._root = root
+        self._actuators = ""
+        self._prims: dict[str, UsdPhysics.Joint] = {}
         self.elements: list[Element] = []
         self.losses = lost_of_joints(robot, "usd")
 
@@ -91,14 +98,15 @@ class JointWriter:
                 actuator = robot.actuators.get(joint.name)
                 if actuator is not None:
                     self.losses += lost_of_actuator(actuator)
-                    is_reflected = actuator.rotor_inertia is not None
-                    held = () if is_reflected else ("gear",)
-                    self.losses += lost_values(actuator, "usd", but=held)
+                    self.losses += lost_values(actuator, "usd")
                 if joint.type == FLOATING:
                     how = "links that no joint holds"
                     self.losses.approximate("floating joints", joint, how=how)
                 elif not bodies.is_dissolved(joint):
                     self._add(joint)
+        for joint in robot.joints.values():
+            if joint.mimic is not None and joint.name in self._prims:
+                self._follow(joint)
         for loop in robot.loops.values():
             path = self._names.told(self._folder, "loop", loop.name, loop)
             prim = LOOPS[loop.type].Define(self._stage, path)
@@ -144,6 +152,8 @@ class JointWriter:
             prim.CreateLowerLimitAttr(convert(lower))
             prim.CreateUpperLimitAttr(convert(upper))
             self._drive(prim, joint)
+            self._resist(prim, joint)
+            self._prims[joint.name] = prim
         elif joint.type == PLANAR:
             for freedom in ("transX", "rotY", "rotZ"):
                 limit = UsdPhysics.LimitAPI.Apply(prim.GetPrim(), freedom)
@@ -172,11 +182,10 @@ class JointWriter:
     # --- limits and drives ---
 
     def _drive(self, prim: UsdPhysics.RevoluteJoint, joint: Joint) -> None:
-        """Write what drives and what damps a joint: gains of angular drives are per degree."""
+        """Write what drives a joint: gains of angular drives are per degree."""
         actuator = self._robot.actuators.get(joint.name)
-        damping = joint.dynamics.damping if joint.dynamics is not None else 0.0
         effort = joint.limit.effort if joint.limit is not None else None
-        if actuator is None and not damping and effort is None:
+        if actuator is None and effort is None:
             return
         is_linear = joint.type == PRISMATIC
         unit = 1.0 if is_linear else degrees(1)
@@ -186,19 +195,71 @@ class JointWriter:
             kd = actuator.kd if actuator.kd is not None else self._chosen.damping(joint, kp)
         elif actuator is not None and actuator.command == VELOCITY:
             kd = self._chosen.of_velocity(joint, actuator)
-        if actuator is not None and actuator.command not in (POSITION, VELOCITY):
-            what, how = "effort actuators", "drives without gains"
-            self.losses.approximate(what, joint, part=actuator, how=how)
-        if joint.dynamics is not None and damping:
-            what, how = "damping values of joints", "the damping of their drives"
-            part = joint.dynamics
-            self.losses.approximate(what, joint, part=part, field="damping", how=how)
         drive = UsdPhysics.DriveAPI.Apply(prim.GetPrim(), "linear" if is_linear else "angular")
         drive.CreateTypeAttr("force")
         if effort is not None:
             drive.CreateMaxForceAttr(effort)
         drive.CreateStiffnessAttr(kp / unit)
-        drive.CreateDampingAttr((kd + damping) / unit)
+        drive.CreateDampingAttr(kd / unit)
+        if actuator is not None and actuator.command not in (POSITION, VELOCITY):
+            if not self._actuators:
+                self._actuators = self._names.new(self._root, "actuators")
+                self._stage.DefinePrim(self._actuators, "Scope")
+            path = self._names.new(self._actuators, prim.GetPrim().GetName())
+            motor = self._stage.DefinePrim(path, "NewtonActuator")
+            motor.CreateRelationship("newton:targets", custom=False).SetTargets([prim.GetPath()])
+            motor.AddAppliedSchema("NewtonPDControlAPI")  # whose gains are 0: it adds the effort
+            if effort is not None:
+                set_values(motor, "NewtonMaxEffortClampingAPI", "newton", {"maxEffort": effort})
+            self.elements.append(element_of(motor, actuator))
+
+    def _resist(self, prim: UsdPhysics.RevoluteJoint, joint: Joint) -> None:
+        """Write what resists a joint, and how fast it may be, for Newton and for PhysX."""
+        limit, dynamics = joint.limit, joint.dynamics
+        actuator = self._robot.actuators.get(joint.name)
+        is_linear = joint.type == PRISMATIC
+        unit = 1.0 if is_linear else degrees(1)
+        armature = actuator.armature if actuator is not None else None
+        damping = dynamics.damping / unit if dynamics is not None else None
+        friction = dynamics.friction if dynamics is not None else None
+        fastest = limit.velocity if limit is not None else None
+        if fastest is not None and not 0 < fastest < UNLIMITED:
+            if fastest <= 0:
+                what = "velocity limits that are not positive"
+                self.losses.lose(what, joint, part=limit, field="velocity")
+            fastest = None
+        speed = fastest * unit if fastest is not None else None
+        newton = {
+            "armature": armature, "damping": damping, "friction": friction, "velocityLimit": speed
+        }  # fmt: skip
+        physx = {
+            "armature": armature,
+            "viscousFrictionCoefficient": damping,
+            "staticFrictionEffort": friction,
+            "dynamicFrictionEffort": friction,
+            "maxJointVelocity": speed,
+        }
+        axis = "linear" if is_linear else "angular"
+        usd = prim.GetPrim()
+        set_values(usd, "NewtonJointAPI", "newton", newton)
+        set_values(usd, f"PhysxJointAxisAPI:{axis}", f"physxJointAxis:{axis}", physx)
+
+    def _follow(self, joint: Joint) -> None:
+        """Have a joint follow another: as NewtonMimicAPI says, which PhysX reads too."""
+        leader = leader_of(self._robot, joint)
+        if leader is None or joint.mimic is None:
+            return  # which is reported with the losses of all joints
+        prim = self._prims[joint.name].GetPrim()
+        is_linear = joint.type == PRISMATIC
+        if leader.name not in self._prims or is_linear != (leader.type == PRISMATIC):
+            what = "joints that follow one of another unit"
+            self.losses.lose(what, joint, part=joint.mimic)
+            return
+        offset = joint.mimic.offset if is_linear else degrees(joint.mimic.offset)
+        values = {"mimicCoef0": offset, "mimicCoef1": joint.mimic.multiplier}
+        set_values(prim, "NewtonMimicAPI", "newton", values, keeps_zeros=True)
+        target = self._prims[leader.name].GetPath()
+        prim.CreateRelationship("newton:mimicJoint", custom=False).SetTargets([target])
 
     def _places_in(self, joint: Joint) -> dict[str, Span]:
         """Return where the values of a joint are written, by their names in USD."""
@@ -209,9 +270,17 @@ class JointWriter:
             found["lowerLimit"] = limit.span_of("lower")
             found["upperLimit"] = limit.span_of("upper")
             found["maxForce"] = limit.span_of("effort")
+            found["velocityLimit"] = found["maxJointVelocity"] = limit.span_of("velocity")
         if dynamics is not None:
-            found["damping"] = dynamics.span_of("damping")
+            friction = dynamics.span_of("friction")
+            found["friction"] = friction
+            found["staticFrictionEffort"] = found["dynamicFrictionEffort"] = friction
+            found["viscousFrictionCoefficient"] = dynamics.span_of("damping")
+        if joint.mimic is not None:
+            found["mimicCoef0"] = joint.mimic.span_of("offset")
+            found["mimicCoef1"] = joint.mimic.span_of("multiplier")
         if actuator is not None:
+            found["armature"] = actuator.span_of("armature")
             found["stiffness"] = actuator.span_of("kp")
             if actuator.command == POSITION:
                 found["damping"] = actuator.span_of("kd")

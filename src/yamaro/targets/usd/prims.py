@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from pxr import Gf, UsdGeom
+from pxr import Gf, Sdf, UsdGeom
 
 from ...model.pose import quaternion_from_rotation
 from ..elements import UsedNames, element
@@ -50,6 +50,40 @@ def element_of(
         if isinstance(value, (str, float, int)):
             attributes[name] = value
     return element(prim.GetTypeName(), attributes, children=children, owner=owner, places=places)
+
+
+# --- schemas that OpenUSD does not have itself ------------------------------------------------
+
+NEWTON_SCHEMAS = "0.6.0"
+"""The version of newton-usd-schemas whose names and units are written."""
+
+
+def set_values(
+    prim: Usd.Prim,
+    schema: str,
+    namespace: str,
+    values: Mapping[str, float | None],
+    *,
+    keeps_zeros: bool = False,
+) -> None:
+    """Give a prim values of a schema of Newton or PhysX, whose library does not have to be there.
+
+    Args:
+        prim: the prim.
+        schema: the schema, which is applied if there is a value.
+        namespace: what is before the names of its values, without the last colon.
+        values: the values by name; those that are None are left out.
+        keeps_zeros: whether 0 is written, though it may be what the schema has anyway.
+    """
+    given = {name: value for name, value in values.items() if value or (value == 0 and keeps_zeros)}
+    if not given:
+        return
+    prim.AddAppliedSchema(schema)
+    for name, value in given.items():
+        attribute = prim.CreateAttribute(
+            f"{namespace}:{name}", Sdf.ValueTypeNames.Float, custom=False
+        )
+        attribute.Set(value)
 
 
 # --- names of prims: letters, digits and underscores, with no digit at the start --------------

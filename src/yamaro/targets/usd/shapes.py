@@ -13,7 +13,7 @@ from ...model.link import Collision
 from ...model.shapes import Box, Capsule, Cylinder, Sphere
 from ..losses import Losses
 from ..mesh_contents import MeshContents
-from .prims import place
+from .prims import place, set_values
 
 if TYPE_CHECKING:
     from ...meshes.surfaces import Surface
@@ -26,6 +26,12 @@ if TYPE_CHECKING:
     from .prims import Names
 
     Color = tuple[float, ...]
+
+CONTACTS = (
+    ("NewtonMaterialAPI", "newton", "contact"),
+    ("PhysxMaterialAPI", "physxMaterial", "compliantContact"),
+)
+"""Where the stiffness and the damping of contacts are: schemas, their namespaces, and words."""
 
 
 class ShapeWriter:
@@ -229,7 +235,7 @@ class ShapeWriter:
         UsdShade.MaterialBindingAPI.Apply(prim).Bind(material)
 
     def _bind_friction(self, prim: Usd.Prim, surface: Friction) -> None:
-        key = (surface.friction, surface.restitution)
+        key = (surface.friction, surface.restitution, surface.stiffness, surface.damping)
         if any(value is not None for value in key):
             material = self._frictions.get(key)
             if material is None:
@@ -241,13 +247,15 @@ class ShapeWriter:
                     physics.CreateDynamicFrictionAttr(surface.friction)
                 if surface.restitution is not None:
                     physics.CreateRestitutionAttr(surface.restitution)
+                for schema, namespace, word in CONTACTS:
+                    values = {
+                        f"{word}Stiffness": surface.stiffness, f"{word}Damping": surface.damping
+                    }  # fmt: skip
+                    set_values(material.GetPrim(), schema, namespace, values, keeps_zeros=True)
             binding = UsdShade.MaterialBindingAPI.Apply(prim)
             binding.Bind(material, UsdShade.Tokens.weakerThanDescendants, "physics")
         if surface.friction2 not in (None, surface.friction):
             self.losses.lose("second coefficients of friction", surface, field="friction2")
-        for name in ("stiffness", "damping"):
-            if getattr(surface, name) is not None:
-                self.losses.lose(f"{name} of contacts", surface, field=name)
 
     def _material_path(self, name: str) -> str:
         self._stage.DefinePrim(self._folder, "Scope")

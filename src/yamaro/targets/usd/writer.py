@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from pxr import Gf, Usd, UsdGeom, UsdPhysics
+from pxr import Gf, Sdf, Usd, UsdGeom, UsdPhysics, Vt
 
 from ...diagnostics import YamaroError
 from ...model.kinematics import link_poses
@@ -17,7 +17,7 @@ from ..inertia import Inertias
 from ..losses import RENAMED, Loss, Losses
 from ..output import Output
 from .joints import JointWriter
-from .prims import Names, element_of, place, quaternion_of
+from .prims import NEWTON_SCHEMAS, Names, element_of, place, quaternion_of
 from .sensors import add_cameras
 from .shapes import ShapeWriter
 
@@ -33,6 +33,8 @@ SMALLEST = 1e-9
 """The least moment of inertia, as part of the greatest: USD takes none of 0."""
 PLACEHOLDER = 1e-3
 """The mass, in kg, of a body without any, since USD takes 0 for a mass that is not given."""
+SITE_RADIUS = 0.005
+"""The radius, in metres, of the ball that shows a frame, which Newton's schema marks as a site."""
 
 
 def write(robot: Robot, wanted: Wanted) -> Output:
@@ -73,7 +75,9 @@ class _Model:
         UsdGeom.SetStageUpAxis(self.stage, UsdGeom.Tokens.z)
         UsdGeom.SetStageMetersPerUnit(self.stage, 1.0)
         UsdPhysics.SetStageKilogramsPerUnit(self.stage, 1.0)
-        self.stage.GetRootLayer().documentation = ""
+        layer = self.stage.GetRootLayer()
+        layer.documentation = ""
+        layer.customLayerData = {"newton-usd-schemas": NEWTON_SCHEMAS}
         name = robot.name or wanted.name
         self.root = self._names.new("", name)
         new = self.root[1:]
@@ -109,6 +113,11 @@ class _Model:
                 xform = UsdGeom.Xform.Define(self.stage, path)
                 place(xform, self._bodies.poses[link.name])
                 self.elements.append(element_of(xform.GetPrim(), link))
+                site = UsdGeom.Sphere.Define(self.stage, self._names.new(path, "site"))
+                site.CreateRadiusAttr(SITE_RADIUS)
+                site.CreateExtentAttr([Gf.Vec3f(-SITE_RADIUS), Gf.Vec3f(SITE_RADIUS)])
+                site.CreatePurposeAttr(UsdGeom.Tokens.guide)
+                site.GetPrim().AddAppliedSchema("NewtonSiteAPI")
                 self._shapes.add(link, path)
         is_fixed, paths, names = self._wanted.is_fixed, self._paths, self._names
         joints = JointWriter(self.stage, robot, bodies, paths, names, self.root, is_fixed=is_fixed)
@@ -136,6 +145,18 @@ class _Model:
         mass.CreateCenterOfMassAttr(Gf.Vec3f(*inertial.pose.position))
         mass.CreateDiagonalInertiaAttr(Gf.Vec3f(*moments))
         mass.CreatePrincipalAxesAttr(Gf.Quatf(quaternion_of(pose)))
+        # Newton takes the tensor, about the centre of mass and along the axes of the body, exactly.
+        xx, xy, xz, yy, yz, zz = [
+            sum(row[k] * moments[k] * other[k] for k in range(3))
+            for i, row in enumerate(pose.rotation)
+            for other in pose.rotation[i:]
+        ]
+        prim = mass.GetPrim()
+        prim.AddAppliedSchema("NewtonMassAPI")
+        tensor = prim.CreateAttribute(
+            "newton:inertia", Sdf.ValueTypeNames.DoubleArray, custom=False
+        )
+        tensor.Set(Vt.DoubleArray([xx, yy, zz, xy, xz, yz]))
 
     def _principal(self, link: Link, inertial: Inertial) -> tuple[tuple[float, float, float], Pose]:
         """Return the principal moments, and T_link_axes."""
