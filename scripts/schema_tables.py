@@ -30,6 +30,7 @@ from yamaro.model.schema import (  # noqa: E402
     Field,
     Thing,
 )
+from yamaro.motors import MOTORS  # noqa: E402
 from yamaro.targets.holding import FORMATS, ROWS, Cell, Missing  # noqa: E402
 from yamaro.targets.losses import LOST  # noqa: E402
 from yamaro.targets.table import TARGETS  # noqa: E402
@@ -200,6 +201,17 @@ def held(cell: Cell) -> str:
     return f"`{cell.rpartition(':')[2]}`" if cell else "–"
 
 
+def motors() -> str:
+    """Return the motors of the catalogue, with what is known of each."""
+    names = ("gear", "armature", "rotor_inertia", "stall_torque", "no_load_speed")
+    rows = []
+    for name, known in MOTORS.items():
+        cells = [known.get(each, "").replace("*", "·").replace("^2", "²") for each in names]
+        cells = [f"{float(c):.4g}" if len(c) > 12 and " " not in c else c for c in cells]
+        rows.append((f"`{name}`", *cells))
+    return table(f"motor | {' | '.join(coded((name,)) for name in names)}", rows)
+
+
 # --- the cheat sheet --------------------------------------------------------------------------
 
 
@@ -253,6 +265,7 @@ TABLES: dict[str, Callable[[], str]] = {
     "sensors": sensors,
     "units": units,
     "formats": holding,
+    "motors": motors,
     "joint values": partial(values, OF_JOINT, "of a joint | values"),
     "word values": partial(values, [WORDS["actuator"], WORDS["surface"]], "each | values"),
     "short joints": short_joints,

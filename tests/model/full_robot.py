@@ -38,6 +38,7 @@ GIVEN: dict[tuple[str, str], str] = {
     ("texture", "filename"): "paint.png",
     ("mesh", "filename"): "tool.stl",
     ("mesh", "scale"): "1 1 1",
+    ("actuator", "motor"): "unitree_5020",
     ("surface", "friction2"): "0.6",
     ("loop", "name"): "bar",
     ("loop", "type"): "revolute",
@@ -63,6 +64,7 @@ CHANGED: dict[tuple[str, str], str] = {
     ("joint", "type"): "continuous",
     ("axis", "xyz"): "0 1 0",
     ("origin", "quat_xyzw"): "",
+    ("actuator", "motor"): "unitree_7520_22",
     ("mimic", "joint"): "shoulder",
     ("material", "name"): "varnish",
     ("texture", "filename"): "varnish.png",
@@ -97,7 +99,7 @@ OF_OTHERS = frozenset(
 
 SHOULDER = ("armature", "frequency", "damping_ratio")
 """The entries of an actuator that say what others of the elbow's say."""
-ELBOW = tuple(name for name in ACTUATOR.fields if name not in SHOULDER)
+ELBOW = tuple(name for name in ACTUATOR.fields if name not in (*SHOULDER, "motor"))
 
 ROWS = [
     (thing.name, name)
@@ -229,6 +231,10 @@ model:
         size: 0.1 0.1 0.4
         surface: {{{fields(SURFACE)}}}
     - frame/name=tip: {{xyz: 0 0 0.4}}
+- part:
+    name: spin disc
+    joint: {{type: continuous, parent: base, axis: z, actuator: {{{driven("motor")}}}}}
+    link: {{geometry: sphere, radius: 0.05, mass: 0.2}}
 - part:
     name: finger tool
     joint:

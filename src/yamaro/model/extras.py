@@ -256,6 +256,7 @@ class Actuator(Noted):
         stall_torque: the greatest torque or force at the joint, in N·m or N, or None.
         no_load_speed: the speed of the joint at which none is left, in rad/s or m/s, or None.
         delay: how long after a command it is obeyed, in s, or None.
+        motor: the name of its motor in the catalogue, or None.
         commands: all commands that it takes; files may say others than these three.
     """
 
@@ -272,6 +273,7 @@ class Actuator(Noted):
     stall_torque: float | None
     no_load_speed: float | None
     delay: float | None
+    motor: str | None
 
     def __init__(self, element: Element) -> None:
         super().__init__(element)

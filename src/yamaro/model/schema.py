@@ -383,7 +383,12 @@ ACTUATOR = Thing(
           help="the speed of the joint at which no torque or force is left"),
     Field("delay", 1, "time", sign=NOT_NEGATIVE, example="0.005",
           help="how long after a command it is obeyed"),
+    Field("motor", TEXT, example="xm430_w350",
+          help="a motor of the catalogue, or a mapping of entries that it has"),
 )  # fmt: skip
+
+OF_MOTOR = tuple([name for name in ACTUATOR.fields if name not in ("command", "kp", "kd", "motor")])
+"""The entries of an actuator that its motor can have."""
 
 SURFACE = Thing(
     "surface",

@@ -11,14 +11,15 @@ from __future__ import annotations
 from math import isfinite, tau
 
 from ..diagnostics import YamaroError, failure
-from ..model.schema import ACTUATOR, COMMANDS
-from ..xml.tree import Element
-from ..xml.values import Numbers, format_value
+from ..model.joint import PRISMATIC
+from ..model.schema import ACTUATOR, COMMANDS, OF_MOTOR
+from ..motors import MOTORS, spelled
+from ..xml.tree import Element, Text
+from ..xml.values import LiteralList, Numbers, format_value
 from .extras import read_field
-from .fields import empty_value, read_value
+from .fields import empty_value, read_value, word_of
 from .notes import (
     RobotNote,
-    check_keys,
     chosen,
     entries_of,
     given_once,
@@ -35,10 +36,7 @@ if TYPE_CHECKING:
     Values = dict[str, tuple[Numbers, Span]]
 
 MOTOR = "motor"
-"""The entry with what is known of the motor: a mapping of some of the same entries."""
-OF_ACTUATOR = frozenset(("command", "kp", "kd"))
-"""The entries that a motor does not have."""
-OF_MOTOR = tuple([name for name in ACTUATOR.fields if name not in OF_ACTUATOR])
+"""The entry with what is known of the motor: a name, or a mapping of some of the same entries."""
 ALTERNATIVES = (
     (("armature",), ("rotor_inertia",)),
     (("kp", "kd"), ("frequency", "damping_ratio")),
@@ -62,7 +60,7 @@ def limits_of_motor(lowering: Lowering, word: Element) -> Values:
     An actuator with a fault has none; `lower_actuator` reports it.
     """
     try:
-        values = _values(lowering, given_once(word, (*ACTUATOR.fields, MOTOR)))
+        values = _values(lowering, given_once(word, ACTUATOR.fields))
     except YamaroError:
         return {}
     return {name: values[source] for name, source in LIMITS.items() if source in values}
@@ -70,7 +68,7 @@ def limits_of_motor(lowering: Lowering, word: Element) -> Values:
 
 def _actuator(lowering: Lowering, word: Element, joint: Element) -> RobotNote:
     refuse_attributes(word)
-    keys = given_once(word, (*ACTUATOR.fields, MOTOR))
+    keys = given_once(word, ACTUATOR.fields)
     _check_joint(word, joint)
     lowering.joint_type = format_value(joint.attributes.get("type"))
     note = RobotNote(
@@ -103,6 +101,10 @@ def _actuator(lowering: Lowering, word: Element, joint: Element) -> RobotNote:
         if len(commands) > 1:
             note.attributes["commands"] = " ".join(commands)
     values = _values(lowering, keys)
+    known = _name_in(keys.get(MOTOR))
+    if known is not None:
+        note.attributes[MOTOR] = spelled(format_value(known.value))
+        places[MOTOR] = known.span
     _add_armature(values, word)
     _add_gains(values, word, is_velocity=note.attributes["command"] == COMMANDS[1])
     for name, (numbers, span) in values.items():
@@ -144,9 +146,14 @@ def _values(lowering: Lowering, keys: dict[str, Element]) -> Values:
     if motor is None:
         return own
     refuse_attributes(motor)
-    entries = motor.with_children([*entries_of(motor, f"{MOTOR}: {{gear: 50, armature: 0.01}}")])
-    for key in entries.elements():
-        if key.name in OF_ACTUATOR:
+    known = _name_in(motor)
+    if known is not None:
+        entries = _entries_of_known(lowering, motor, known)
+    else:
+        entries = entries_of(motor, f"{MOTOR}: {{gear: 50, armature: 0.01}}")
+    motor = motor.with_children([*entries])
+    for key in entries:
+        if key.name in ACTUATOR.fields.keys() - {*OF_MOTOR, MOTOR}:
             raise failure(
                 "misplaced-key",
                 f"'{key.name}' is not a property of a motor",
@@ -154,14 +161,53 @@ def _values(lowering: Lowering, keys: dict[str, Element]) -> Values:
                 hint=f"write '{key.name}' in 'actuator', beside '{MOTOR}'",
                 trace=motor.trace,
             )
-    check_keys(entries, OF_MOTOR)
-    found = _read(lowering, given_once(entries))
+    found = _read(lowering, given_once(motor, OF_MOTOR))
     for pair in ALTERNATIVES:
         for given, ignored in (pair, pair[::-1]):
             if not own.keys().isdisjoint(given):
                 for name in ignored:
                     found.pop(name, None)
     return {**found, **own}
+
+
+def _name_in(motor: Element | None) -> Text | None:
+    """Return the text that names a motor; None for a mapping, a dict, or what is neither."""
+    children = motor.children if motor is not None else []
+    if len(children) == 1 and isinstance(children[0], Text):
+        value = children[0].value
+        return None if isinstance(value, (dict, list, tuple, LiteralList)) else children[0]
+    return None
+
+
+def _entries_of_known(lowering: Lowering, motor: Element, name: Text) -> list[Element]:
+    """Return the entries of a motor of the catalogue, all of them at the place of its name."""
+    word = word_of(MOTOR, name.value, name.span, owner=motor)
+    known = MOTORS.get(spelled(word))
+    if known is None:
+        from ..diagnostics import meant_word
+
+        hint, fix = meant_word(spelled(word), MOTORS, name.span)
+        raise failure(
+            "unknown-motor",
+            f"there is no motor '{word}' in the catalogue",
+            name.span,
+            hint=hint or f"write what you know of it: {MOTOR}: {{rotor_inertia: …, gear: …}}",
+            trace=motor.trace,
+            fix=fix,
+        )
+    if lowering.joint_type == PRISMATIC:
+        raise failure(
+            "unknown-motor",
+            f"the motor '{word}' turns, and this joint slides",
+            name.span,
+            hint=f"write {MOTOR}: {{rotor_inertia: …, gear: …}} with the gear in radians per "
+            "metre, forces and speeds",
+            trace=motor.trace,
+        )
+    return [
+        Element(each, name.span, {}, [Text(value, name.span)], motor.trace)
+        for each, value in known.items()
+    ]
 
 
 def _read(lowering: Lowering, keys: dict[str, Element]) -> Values:

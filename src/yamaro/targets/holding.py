@@ -157,6 +157,9 @@ ROWS: dict[str, tuple[Cell, Cell, Cell, Cell]] = {
         ("actuator.stall_torque", "actuator.no_load_speed"),
         (_LINES, _ACTUATORS, "nominal", _LINES),
     ),
+    "actuator.motor": (
+        *(_partly(LOST, "armatures of actuators"), _ACTUATORS, "armature", "newton:armature"),
+    ),
     "actuator.delay": (_DELAYS, _ACTUATORS, "delay", _DELAYS),
     "surface.friction": (_NO_SURFACE, "mu", "friction", "physics:dynamicFriction"),
     "surface.friction2": (

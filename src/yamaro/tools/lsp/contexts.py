@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from ...model.quantities import described, unit_of
-from ...model.schema import AXES, ELEMENTS, MOMENTS, RECORDS, SENSOR, SENSORS, WORDS
+from ...model.schema import AXES, ELEMENTS, MOMENTS, OF_MOTOR, RECORDS, SENSOR, SENSORS, WORDS
 from ...model.shapes import SIMPLE_SHAPES
+from ...motors import MOTORS
 from ...source import Span
 from ...yaml.nodes import MappingNode, ScalarNode, SequenceNode
 
@@ -133,6 +134,7 @@ _INNER = {
     "link": {word: word for word in ("visual", "collision", "inertial", "frame")},
     "visual": {"material": "material"},
     "collision": {"material": "material", "surface": "surface"},
+    "actuator": {"motor": "motor"},
     "attach": {"joint": "joint", "arguments": DATA, "body": BODY},
     "mirror": {"body": BODY, "rename": DATA, "meshes": DATA},
     "include": {"arguments": DATA},
@@ -289,6 +291,7 @@ def _of_sensors() -> dict[str, str]:
 MANUAL: dict[str, dict[str, str]] = {
     **{name: _fields(ELEMENTS[name]) for name in RECORDS if name != "axis"},
     **{name: _fields(thing) for name, thing in WORDS.items()},
+    "motor": {name: text for name, text in _fields(WORDS["actuator"]).items() if name in OF_MOTOR},
     "root": {
         "robot": "names the robot; the default is the name of the file",
         "import": "Python modules for the expressions of this file",
@@ -445,6 +448,7 @@ VALUES: dict[tuple[str, str], tuple[str, ...]] = {
         for name, field in thing.fields.items()
         if field.choices
     },
+    ("actuator", "motor"): tuple(MOTORS),
     ("joint", "axis"): AXES,
     ("loop", "axis"): AXES,
     **{(place, "geometry"): _SHAPES for place in ("link", "visual", "collision", "inertial")},
