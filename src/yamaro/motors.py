@@ -1,7 +1,7 @@
 """Motors with their gears, found by name: `motor: unitree_5020`.
 
-Each number has its source beside it, and none is without: what two sources give very differently,
-or nobody has published or measured, is left out. All is at the joint, behind the gear, except for
+Each number has its source beside it. What two sources give very differently, or what was never
+published or measured, is left out. All is at the joint, behind the gear, except for
 `rotor_inertia`. Stall torques and no-load speeds are those of the voltage that is named. For the
 modules with brushless motors (Unitree, CubeMars, RobStride, Damiao), the stall torque is the
 greatest torque that their makers give, which they keep up to some speed: the line to the no-load

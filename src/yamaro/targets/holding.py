@@ -155,7 +155,7 @@ ROWS: dict[str, tuple[Cell, Cell, Cell, Cell]] = {
     ),
     **dict.fromkeys(
         ("actuator.stall_torque", "actuator.no_load_speed"),
-        (_LINES, _ACTUATORS, "nominal", _LINES),
+        (_LINES, _ACTUATORS, "nominal", _partly(LOST, "torque-speed lines of motors")),
     ),
     "actuator.motor": (
         *(_partly(LOST, "armatures of actuators"), _ACTUATORS, "armature", "newton:armature"),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import degrees
+from math import degrees, pi
 from pathlib import Path
 from typing import Any
 
@@ -245,6 +245,33 @@ def test_frames_are_sites(tmp_path: Path) -> None:
     site = stage.GetPrimAtPath("/my_arm/rod_link/tip/site")
     assert site.GetTypeName() == "Sphere"
     assert site.GetPrimTypeInfo().GetAppliedAPISchemas() == ["NewtonSiteAPI"]
+
+
+def test_a_joint_with_commanded_efforts_has_the_line_of_its_motor(tmp_path: Path) -> None:
+    line = "command: effort, stall_torque: 8, no_load_speed: 60 rpm"
+    stage, build = stage_of(ARM.replace("kp: 50, kd: 2", line), tmp_path)
+    assert [loss for loss in build.losses if "motors" in loss.what] == []
+    motor = stage.GetPrimAtPath("/my_arm/actuators/rod_joint")
+    assert "NewtonDCMotorClampingAPI" in motor.GetPrimTypeInfo().GetAppliedAPISchemas()
+    values = {
+        name: motor.GetAttribute(f"newton:{name}").Get()
+        for name in ("saturationEffort", "velocityLimit", "maxMotorEffort")
+    }
+    # In radians, and no more than the motor stalls at.
+    expected = {"saturationEffort": 8, "velocityLimit": 2 * pi, "maxMotorEffort": 8}
+    assert values == pytest.approx(expected, rel=1e-6)
+    drive = stage.GetPrimAtPath("/my_arm/joints/rod_joint")
+    assert drive.GetAttribute("drive:angular:physics:maxForce").Get() == 8
+
+
+@pytest.mark.parametrize(
+    ("line", "lost"),
+    [("stall_torque: 8", 0), ("no_load_speed: 5", 1), ("stall_torque: 8, no_load_speed: 5", 2)],
+)
+def test_a_drive_has_no_line(tmp_path: Path, line: str, lost: int) -> None:
+    _, build = stage_of(ARM.replace("kp: 50, kd: 2", line), tmp_path)
+    found = [loss for loss in build.losses if loss.what == "torque-speed lines of motors"]
+    assert len(found) == lost
 
 
 def test_a_position_actuator_without_gains_is_exact(tmp_path: Path) -> None:

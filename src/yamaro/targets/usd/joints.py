@@ -17,7 +17,7 @@ from pxr import Gf, Sdf, Usd, UsdPhysics
 from ...model.joint import CONTINUOUS, FIXED, FLOATING, PLANAR, PRISMATIC, SINGLE, UNLIMITED
 from ...model.kinematics import WORLD
 from ...model.pose import Pose, multiply, rotation_about, rotation_from_z
-from ..gains import POSITION, VELOCITY, Gains
+from ..gains import EFFORT, POSITION, VELOCITY, Gains
 from ..holding import leader_of, lost_of_actuator, lost_of_joints, lost_values
 from .prims import element_of, quaternion_of, set_values
 
@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from .prims import Names
 
 KINDS = {PRISMATIC: UsdPhysics.PrismaticJoint, FIXED: UsdPhysics.FixedJoint}
+TORQUE_SPEED_LINE = ("stall_torque", "no_load_speed")
 LOOPS = {
     "fixed": UsdPhysics.FixedJoint,
     "ball": UsdPhysics.SphericalJoint,
@@ -99,6 +100,12 @@ class JointWriter:
                 if actuator is not None:
                     self.losses += lost_of_actuator(actuator)
                     self.losses += lost_values(actuator, "usd")
+                    line = [n for n in TORQUE_SPEED_LINE if getattr(actuator, n) is not None]
+                    is_held = actuator.command == EFFORT and len(line) == len(TORQUE_SPEED_LINE)
+                    if TORQUE_SPEED_LINE[1] in line and not is_held:  # which a drive has not
+                        for name in line:
+                            what = "torque-speed lines of motors"
+                            self.losses.lose(what, actuator, field=name)
                 if joint.type == FLOATING:
                     how = "links that no joint holds"
                     self.losses.approximate("floating joints", joint, how=how)
@@ -185,6 +192,9 @@ class JointWriter:
         """Write what drives a joint: gains of angular drives are per degree."""
         actuator = self._robot.actuators.get(joint.name)
         effort = joint.limit.effort if joint.limit is not None else None
+        stall = actuator.stall_torque if actuator is not None else None
+        if stall is not None:
+            effort = min(effort, stall) if effort is not None else stall
         if actuator is None and effort is None:
             return
         is_linear = joint.type == PRISMATIC
@@ -209,7 +219,13 @@ class JointWriter:
             motor = self._stage.DefinePrim(path, "NewtonActuator")
             motor.CreateRelationship("newton:targets", custom=False).SetTargets([prim.GetPath()])
             motor.AddAppliedSchema("NewtonPDControlAPI")  # whose gains are 0: it adds the effort
-            if effort is not None:
+            speed = actuator.no_load_speed
+            if stall is not None and speed is not None:
+                line = {
+                    "saturationEffort": stall, "velocityLimit": speed, "maxMotorEffort": effort
+                }  # fmt: skip
+                set_values(motor, "NewtonDCMotorClampingAPI", "newton", line)
+            elif effort is not None:
                 set_values(motor, "NewtonMaxEffortClampingAPI", "newton", {"maxEffort": effort})
             self.elements.append(element_of(motor, actuator))
 
