@@ -31,6 +31,7 @@ Values = Mapping[tuple[str, str], str]
 GIVEN: dict[tuple[str, str], str] = {
     ("robot", "name"): "full",
     ("joint", "type"): "revolute",
+    ("actuator", "stall_torque"): "200",  # more than the effort limit, which bounds it then
     ("limit", "lower"): "-2",
     ("limit", "upper"): "2.5",
     ("mimic", "joint"): "elbow",

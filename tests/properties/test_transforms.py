@@ -84,7 +84,8 @@ def written_matrix(link, section):
 
     body = f"geometry: box, scale: 1 1 1, {keys(link)}collision: {{{keys(section)}}}"
     origin = lower_text(f"part: {{name: a, link: {{{body}}}}}").find("link/collision/origin")
-    numbers = {key: tuple(map(float, value.split())) for key, value in origin.attributes.items()}
+    texts = {key: str(value) for key, value in origin.attributes.items()}
+    numbers = {key: tuple(map(float, text.split())) for key, text in texts.items()}
     return matrix_of(numbers), origin.attributes
 
 
