@@ -43,12 +43,14 @@ OF_JOINT = [ELEMENTS[name] for name in RECORDS if len(ELEMENTS[name].fields) > 1
 
 def main(arguments: list[str]) -> int:
     """Write the pages, or report those that differ; return the exit status."""
-    stale = [path for path, text in written().items() if path.read_text(encoding="utf-8") != text]
-    for path in stale:
+    is_check = arguments == ["--check"]
+    texts = written().items()
+    stale = {path: text for path, text in texts if path.read_text(encoding="utf-8") != text}
+    for path, text in stale.items():
         print(path.relative_to(ROOT))
-        if arguments != ["--check"]:
-            path.write_text(written()[path], encoding="utf-8")
-    return 1 if stale and arguments == ["--check"] else 0
+        if not is_check:
+            path.write_text(text, encoding="utf-8")
+    return 1 if stale and is_check else 0
 
 
 def written() -> dict[Path, str]:

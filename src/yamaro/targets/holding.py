@@ -128,8 +128,8 @@ ROWS: dict[str, tuple[Cell, Cell, Cell, Cell]] = {
         for name in ("acceleration", "deceleration", "jerk")
         for lost in [_lost(f"{name} limits")]
     },
-    "dynamics.damping": (*("damping", "damping", "damping", "newton:damping"),),
-    "dynamics.friction": (*("friction", "friction", "frictionloss", "newton:friction"),),
+    "dynamics.damping": ("damping", "damping", "damping", "newton:damping"),
+    "dynamics.friction": ("friction", "friction", "frictionloss", "newton:friction"),
     "mimic.joint": ("joint", "joint", "joint1", "newton:mimicJoint"),
     "mimic.multiplier": ("multiplier", "multiplier", "polycoef", "newton:mimicCoef1"),
     "mimic.offset": ("offset", "offset", "polycoef", "newton:mimicCoef0"),
