@@ -59,16 +59,21 @@ def run_pipeline(request: Request, library: Library, policy: Policy, say: Say) -
 
     said: set[str] = set()
     runs: dict[str, Run] = {}
+
+    def run_for(format: str) -> Run:
+        name = TARGETS[format].run
+        run = runs.get(name) or next((r for r in runs.values() if not r.depends_on_format), None)
+        if run is None:
+            say_once = _unless_said_before(said, say)
+            run = runs[name] = Run(request, library, policy, say_once, target=name, run_for=run_for)
+        return run
+
     builds: dict[str, Build] = {}
     refused: dict[str, str] = {}
     errors = Reporter()
     has_failed = False
     for format in formats:
-        name = TARGETS[format].run
-        run = runs.get(name) or next((r for r in runs.values() if not r.depends_on_format), None)
-        if run is None:
-            say_once = _unless_said_before(said, say) if len(formats) > 1 else say
-            run = runs[name] = Run(request, library, policy, say_once, target=name)
+        run = run_for(format)
         try:
             builds[format] = run.build(format)
         except YamaroError as error:
@@ -110,19 +115,29 @@ class Run:
     """
 
     __slots__ = (
-        "_has_files", "_interpreter", "_request", "_robot", "diagnostics", "is_faulty", "notes",
-        "root",
+        "_has_files", "_interpreter", "_request", "_robot", "_run_for", "diagnostics", "is_faulty",
+        "notes", "root",
     )  # fmt: skip
 
     def __init__(
-        self, request: Request, library: Library, policy: Policy, say: Say, *, target: str = URDF
+        self,
+        request: Request,
+        library: Library,
+        policy: Policy,
+        say: Say,
+        *,
+        target: str = URDF,
+        run_for: Callable[[str], Run] | None = None,
     ) -> None:
-        """Run the main file; for the arguments see `run_pipeline`.
+        """Run the main file for a format; for the arguments see `run_pipeline`.
+
+        `run_for` gives the run for another format.
 
         Raises:
             YamaroError: evaluation ended with an error.
         """
         self._request = request
+        self._run_for = run_for
         self._interpreter = interpreter = _interpreter(request, library, policy, say, target)
         self.root = evaluate(request, interpreter)
         self.notes: Sequence[Element] = ()
@@ -234,7 +249,19 @@ class Run:
         losses = [] if request.options.partial else diagnostics_of(output.losses, build.format)
         return build, [*output.warnings, *losses]
 
-    def _written(self, format: str | None, file_name: str) -> Output | None:
+    def _output_in(self, format: str) -> Output:
+        """Return the robot in another format, without meshes, from the run for that format."""
+        assert self._run_for is not None, "each format that is asked for has the runs of all"
+        run = self._run_for(format)
+        if run.is_faulty:
+            raise run._failure(run.diagnostics)
+        output = run._written(format, "", has_meshes=False)
+        assert output is not None, "a format was named"
+        return output
+
+    def _written(
+        self, format: str | None, file_name: str, *, has_meshes: bool = True
+    ) -> Output | None:
         """Return what the writer of a format gives, None for a tree that is written as it is."""
         request, options = self._request, self._request.options
         if format is None and not (options.gazebo and self.notes):
@@ -257,11 +284,12 @@ class Run:
             is_fixed=base_of(robot, options.base)[0] == FIXED,
             paths=request.paths,
             is_named=format is not None,
-            has_meshes=options.meshes != NONE,
+            has_meshes=has_meshes and options.meshes != NONE,
             has_gazebo=options.gazebo,
             repairs_inertia=options.repair_inertia,
             version=options.sdf_version or "" if TARGETS[format or URDF].versions else "",
             file_name=file_name,
+            output_in=self._output_in,
             progress=options.on_progress,
         )
         return write_target(robot, wanted)

@@ -44,6 +44,7 @@ SEVERITIES = {
     "leftover-expression": "advice",
     "limit-order": "warning",
     "long-chain": "warning",
+    "lost-in-interface": "warning",
     "lost-in-mjcf": "warning",
     "lost-in-sdf": "warning",
     "lost-in-srdf": "warning",

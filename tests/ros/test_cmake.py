@@ -250,7 +250,7 @@ def test_check_adds_a_test(made: Project) -> None:
         ("robot.yaml", "there is no file"),
         (
             "robot.urdf.yaml TO urfd",
-            "unknown format 'urfd'; TO takes urdf, sdf, mjcf, srdf and usd",
+            "unknown format 'urfd'; TO takes urdf, sdf, mjcf, srdf, usd and interface",
         ),
         ("robot.urdf.yaml T urdf", "unknown argument 'T;urdf'"),
         ("robot.urdf.yaml TRUST no", "TRUST is trust, jail or safe, not 'no'"),

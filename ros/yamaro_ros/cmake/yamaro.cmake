@@ -1,7 +1,7 @@
 # Builds robots with Yamaro, with or without ROS.
 #
 #   yamaro_add_robot(<file>
-#     [TO <format>...]               urdf (the default), sdf, mjcf, srdf, usd
+#     [TO <format>...]               urdf (the default), sdf, mjcf, srdf, usd, interface
 #     [OUTPUT <path>...]             one for each format; relative to CMAKE_CURRENT_BINARY_DIR
 #     [VARIABLES <name:=value>...]   as on the command line
 #     [TRUST trust|jail|safe]        how far the file is trusted; by default trust
@@ -30,6 +30,7 @@ set(_YAMARO_ENDING_sdf .sdf CACHE INTERNAL "")
 set(_YAMARO_ENDING_mjcf .xml CACHE INTERNAL "")
 set(_YAMARO_ENDING_srdf .srdf CACHE INTERNAL "")
 set(_YAMARO_ENDING_usd .usda CACHE INTERNAL "")
+set(_YAMARO_ENDING_interface .interface.json CACHE INTERNAL "")
 
 # Sets `out` to the name of a robot's file without its endings: rover for rover.urdf.yaml.
 function(_yamaro_name file out)
@@ -138,7 +139,7 @@ or name it with -DYAMARO_COMMAND=/path/to/yamaro")
   endif()
   foreach(format IN LISTS robot_TO)
     if(NOT DEFINED _YAMARO_ENDING_${format})
-      _yamaro_fail("${file}" "unknown format '${format}'; TO takes urdf, sdf, mjcf, srdf and usd")
+      _yamaro_fail("${file}" "unknown format '${format}'; TO takes urdf, sdf, mjcf, srdf, usd and interface")
     endif()
   endforeach()
   list(LENGTH robot_TO count)

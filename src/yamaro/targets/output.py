@@ -69,12 +69,14 @@ class Wanted:
         version: of the format, or "" for the default.
         file_name: what the file of the document is called, for files beside it that refer to it;
             "" on standard output, where nothing is beside it.
+        output_in: writes the robot in another format, without meshes, for what is made of several.
+            It raises YamaroError if the robot cannot be written there.
         progress: is called with how far long work is, from 0 to 1; or None.
     """
 
     __slots__ = (
-        "file_name", "format", "has_gazebo", "has_meshes", "is_fixed", "is_named", "name", "paths",
-        "progress", "repairs_inertia", "version",
+        "file_name", "format", "has_gazebo", "has_meshes", "is_fixed", "is_named", "name",
+        "output_in", "paths", "progress", "repairs_inertia", "version",
     )  # fmt: skip
 
     def __init__(
@@ -90,6 +92,7 @@ class Wanted:
         repairs_inertia: bool = False,
         version: str = "",
         file_name: str = "",
+        output_in: Callable[[str], Output] | None = None,
         progress: Callable[[float], None] | None = None,
     ) -> None:
         self.format = format
@@ -102,6 +105,7 @@ class Wanted:
         self.repairs_inertia = repairs_inertia
         self.version = version
         self.file_name = file_name
+        self.output_in = output_in
         self.progress = progress
 
 
@@ -120,9 +124,11 @@ class Output:
             a folder, by paths in that. What is in `FOLDER` is named by its content; any other file
             begins with `MARK` in a comment, so that it may be replaced later.
         warnings: what else there is to say.
+        names: by kind (`link`, `joint`, `sensor`) and name in the format, the name in the robot.
+            A `part` is by the name of a joint in the format that is only a part of the robot's.
     """
 
-    __slots__ = ("files", "losses", "root", "text", "warnings")
+    __slots__ = ("files", "losses", "names", "root", "text", "warnings")
 
     def __init__(
         self,
@@ -132,9 +138,11 @@ class Output:
         *,
         text: str = "",
         warnings: Sequence[Diagnostic] = (),
+        names: Mapping[str, Mapping[str, str]] | None = None,
     ) -> None:
         self.root = root
         self.warnings = warnings
         self.text = text
         self.losses = losses
         self.files = files or {}
+        self.names = names or {}

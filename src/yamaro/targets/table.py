@@ -159,6 +159,15 @@ TARGETS = {
             refused=(".usdc", ".usdz"),
             conversion="OpenUSD converts it: Usd.Stage.Open('{0}.usda').Export('{0}.usdc')",
         ),
+        Target(
+            "interface",
+            "the interface",
+            ".interface.json",
+            comment="",
+            is_simulator=True,
+            run="urdf",
+            endings=(".json",),
+        ),
     )
 }
 """The output formats by their names."""

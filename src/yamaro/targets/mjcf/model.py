@@ -171,13 +171,15 @@ class Writing:
         motions: of each joint in MJCF, by name, the joint that it is and which part of it; for the
             free joint of a root, that link and `base`.
         controls: the joint and the command of each actuator.
+        measured: the sensor of the robot that each one in MJCF is of, by its name.
         collisions: what collides: the link, the collision, and of a mesh the outer corners.
         solids: the same at home, once it is worked out.
     """
 
     __slots__ = (
         "_body_names", "bodies", "classes", "collisions", "controls", "errors", "files", "inertias",
-        "losses", "model", "motions", "names", "plan", "robot", "sections", "solids", "wanted",
+        "losses", "measured", "model", "motions", "names", "plan", "robot", "sections", "solids",
+        "wanted",
     )  # fmt: skip
 
     def __init__(self, robot: Robot, wanted: Wanted) -> None:
@@ -189,6 +191,7 @@ class Writing:
         self.collisions: list[tuple[Link, Collision, Sequence[Vector]]] = []
         self.solids: list[Solid] | None = None
         self.motions: dict[str, tuple[str, str]] = {}
+        self.measured: dict[str, str] = {}
         self.plan = Plan(robot, is_fixed=wanted.is_fixed)
         self.sections = {name: element(name, owner=robot.element) for name in SECTIONS}
         self.bodies: dict[str, Element] = {}

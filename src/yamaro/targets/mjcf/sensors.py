@@ -236,6 +236,7 @@ def _add(
 ) -> None:
     """Append a sensor under a name that is free; its noise is by default that of all parts."""
     name = writing.names.fresh(SENSOR, wanted)
+    writing.measured[name] = sensor.name
     whole: Attributes = {"name": name, **attributes, "noise": own_noise or sensor.noise or None}
     places = {"name": sensor.span_of("name"), "noise": sensor.span_of("noise")}
     writing.add("sensor", element(word, whole, owner=sensor, places=places))

@@ -60,7 +60,14 @@ def write(robot: Robot, wanted: Wanted) -> Output:
     root = element("mujoco", {"model": writing.model}, children=children, owner=robot.element)
     file_name = wanted.file_name or f"{wanted.name}.xml"
     files = {TARGETS["mjcf"].beside[0]: scene(writing, file_name), **writing.files}
-    return Output(root, writing.losses, files)
+    joints, parts = writing.motions, ("base", "single", "free")
+    names = {
+        "link": {writing.body_name(link): link for link in writing.plan.bodies},
+        "joint": {name: joint for name, (joint, part) in joints.items() if part != "base"},
+        "part": {name: part for name, (_, part) in joints.items() if part not in parts},
+        "sensor": writing.measured,
+    }
+    return Output(root, writing.losses, files, names=names)
 
 
 # --- the head of a model --------------------------------------------------------------------

@@ -103,7 +103,11 @@ class _Model:
             attributes["xmlns:gz"] = NAMESPACE
         root = element("sdf", attributes, children=[model], owner=robot.element)
         self._losses += lost_sections(robot, states=True, actuators=True, controls=True)
-        return Output(root, self._losses)
+        names = {
+            kind: {new: name for name, new in known.items()}
+            for kind, known in (("link", self._names.links), ("joint", self._names.joints))
+        }
+        return Output(root, self._losses, names=names)
 
     # --- links and frames ---
 

@@ -97,12 +97,14 @@ class Names:
 
     Attributes:
         losses: what is renamed.
+        names: by kind and path, what the prims of links, joints, … are called in the robot.
     """
 
-    __slots__ = ("_used", "losses")
+    __slots__ = ("_used", "losses", "names")
 
     def __init__(self, losses: Losses) -> None:
         self._used = UsedNames()
+        self.names: dict[str, dict[str, str]] = {}
         self.losses = losses
 
     def new(self, around: str, name: str) -> str:
@@ -126,6 +128,7 @@ class Names:
             part: the part of that link.
         """
         path = self.new(around, name)
+        self.names.setdefault(kind, {})[path] = name
         new = path.rpartition("/")[2]
         if new != name:
             label = f"{kind} '{name}'"

@@ -48,7 +48,7 @@ def write(robot: Robot, wanted: Wanted) -> Output:
     text = model.stage.GetRootLayer().ExportToString()
     name = model.root.rpartition("/")[2]
     root = element("usd", {"name": name}, children=model.elements, owner=robot.element)
-    return Output(root, model.losses, text=text)
+    return Output(root, model.losses, text=text, names=model.names.names)
 
 
 class _Model:
@@ -59,6 +59,7 @@ class _Model:
         root: the path of the robot's prim.
         elements: for each prim, an element at the place of what it is made of.
         losses: what USD cannot hold.
+        names: names prims.
     """
 
     def __init__(self, robot: Robot, wanted: Wanted) -> None:
@@ -69,7 +70,7 @@ class _Model:
         self._inertias = Inertias(robot, is_fixed=wanted.is_fixed, repairs=wanted.repairs_inertia)
         self.losses = Losses(self._inertias.losses)
         self.elements: list[Element] = []
-        self._names = Names(self.losses)
+        self.names = Names(self.losses)
         self._paths: dict[str, str] = {}
         self.stage = Usd.Stage.CreateInMemory(".usda")
         UsdGeom.SetStageUpAxis(self.stage, UsdGeom.Tokens.z)
@@ -79,7 +80,7 @@ class _Model:
         layer.documentation = ""
         layer.customLayerData = {"newton-usd-schemas": NEWTON_SCHEMAS}
         name = robot.name or wanted.name
-        self.root = self._names.new("", name)
+        self.root = self.names.new("", name)
         new = self.root[1:]
         if new != name:
             span, label = robot.span_of("name"), f"robot '{name}'"
@@ -87,7 +88,7 @@ class _Model:
         prim = UsdGeom.Xform.Define(self.stage, self.root).GetPrim()
         self.stage.SetDefaultPrim(prim)
         UsdPhysics.ArticulationRootAPI.Apply(prim)
-        self._shapes = ShapeWriter(self.stage, robot, wanted, self._names, self.root)
+        self._shapes = ShapeWriter(self.stage, robot, wanted, self.names, self.root)
 
     def fill(self) -> None:
         """Write everything; raise YamaroError if no body can have an inertia."""
@@ -96,7 +97,7 @@ class _Model:
         robot, bodies = self._robot, self._bodies
         for link in bodies.order:
             if bodies.is_body(link.name):
-                path = self._names.told(self.root, "link", link.name, link)
+                path = self.names.told(self.root, "link", link.name, link)
                 self._paths[link.name] = path
                 xform = UsdGeom.Xform.Define(self.stage, path)
                 place(xform, self._poses[link.name])
@@ -108,22 +109,22 @@ class _Model:
         for link in bodies.order:
             carrier = bodies.carriers[link.name]
             if carrier is not None and carrier != link.name:
-                path = self._names.told(self._paths[carrier], "frame", link.name, link)
+                path = self.names.told(self._paths[carrier], "frame", link.name, link)
                 self._paths[link.name] = path
                 xform = UsdGeom.Xform.Define(self.stage, path)
                 place(xform, self._bodies.poses[link.name])
                 self.elements.append(element_of(xform.GetPrim(), link))
-                site = UsdGeom.Sphere.Define(self.stage, self._names.new(path, "site"))
+                site = UsdGeom.Sphere.Define(self.stage, self.names.new(path, "site"))
                 site.CreateRadiusAttr(SITE_RADIUS)
                 site.CreateExtentAttr([Gf.Vec3f(-SITE_RADIUS), Gf.Vec3f(SITE_RADIUS)])
                 site.CreatePurposeAttr(UsdGeom.Tokens.guide)
                 site.GetPrim().AddAppliedSchema("NewtonSiteAPI")
                 self._shapes.add(link, path)
-        is_fixed, paths, names = self._wanted.is_fixed, self._paths, self._names
+        is_fixed, paths, names = self._wanted.is_fixed, self._paths, self.names
         joints = JointWriter(self.stage, robot, bodies, paths, names, self.root, is_fixed=is_fixed)
         joints.write()
         self.elements += joints.elements
-        add_cameras(self.stage, robot, self._paths, self._names, self.losses)
+        add_cameras(self.stage, robot, self._paths, self.names, self.losses)
         self.losses += self._shapes.losses
         self.losses += joints.losses
         self.losses += lost_sections(robot, states=True, controls=True)
