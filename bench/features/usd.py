@@ -62,7 +62,9 @@ def _joint(prim: Usd.Prim, name: str, own: Mapping[str, str]) -> Iterator[Key]:
         return
     is_linear = prim.IsA(UsdPhysics.PrismaticJoint)
     if not is_linear and not prim.IsA(UsdPhysics.RevoluteJoint):
-        held = [each for each in prim.GetAppliedSchemas() if each.startswith("PhysicsLimitAPI")]
+        axes = [each for each in prim.GetAppliedSchemas() if each.startswith("PhysicsLimitAPI")]
+        limits = [UsdPhysics.LimitAPI(prim, each.partition(":")[2]) for each in axes]
+        held = [each for each in limits if each.GetLowAttr().Get() > each.GetHighAttr().Get()]
         yield ("joint", name, "planar" if len(held) == 3 else "floating")
         return
     lower, upper = (prim.GetAttribute(f"physics:{end}Limit").Get() for end in ("lower", "upper"))

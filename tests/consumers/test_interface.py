@@ -207,6 +207,22 @@ def test_newton_goes_depth_first_by_path_and_isaac_breadth_first_as_written(tmp_
     assert free["isaac"] == isaac  # where a free base is, is apart
 
 
+def test_planar_joints_have_three_freedoms_in_usd(tmp_path: Path) -> None:
+    """As Newton 1.8 told: it moves the axes of a joint that have limits, if these leave room."""
+    pytest.importorskip("pxr")
+    path = saved(
+        tmp_path, urdf("base cart arm", "jcart planar base cart", "jarm revolute cart arm")
+    )
+    found = interface_of(path, base="fixed")["consumers"]
+    moving = [each for each in found["newton"]["joints"] if each["v"][1]]
+    assert [(each["yamaro"], each["q"], each["v"]) for each in moving] == [
+        ("jcart", [0, 3], [0, 3]),
+        ("jarm", [3, 1], [3, 1]),
+    ]
+    names = [each["name"] for each in found["isaac"]["joints"]]
+    assert names == ["jcart:0", "jcart:1", "jcart:2", "jarm"]
+
+
 def test_each_program_has_all_joints_by_the_names_of_the_robot(tmp_path: Path) -> None:
     pytest.importorskip("pxr")
     names = "world _a_ a::b 1st ü.x joints base"

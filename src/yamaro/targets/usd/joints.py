@@ -162,10 +162,12 @@ class JointWriter:
             self._resist(prim, joint)
             self._prims[joint.name] = prim
         elif joint.type == PLANAR:
-            for freedom in ("transX", "rotY", "rotZ"):
+            for freedom in ("transX", "transY", "transZ", "rotX", "rotY", "rotZ"):
+                is_free = freedom in ("transY", "transZ", "rotX")  # Newton moves what has limits
+                end = -inf if is_free else 1.0  # what is above and below at once is locked
                 limit = UsdPhysics.LimitAPI.Apply(prim.GetPrim(), freedom)
-                limit.CreateLowAttr(1.0)  # no position is above and below at once: it is locked
-                limit.CreateHighAttr(-1.0)
+                limit.CreateLowAttr(end)
+                limit.CreateHighAttr(-end)
         self.elements.append(element_of(prim.GetPrim(), joint, places=self._places_in(joint)))
 
     def _connect(
