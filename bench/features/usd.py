@@ -38,10 +38,9 @@ def read(text: str, own: Mapping[str, str]) -> Iterator[Key]:
             yield ("sensor", name)
             for each in ("horizontal_fov", "near", "far", "pose", "always_on"):
                 yield ("in sensor", name, each)
-        elif prim.GetTypeName() == "NewtonActuator":  # without gains: by its effort
+        elif prim.GetTypeName() == "NewtonActuator":  # in place of a drive
             (joint,) = prim.GetRelationship("newton:targets").GetTargets()
             yield ("actuated", own.get(joint.name, joint.name))
-            yield ("command", own.get(joint.name, joint.name), "effort")
         elif (
             prim.IsA(UsdGeom.Gprim)
             and "NewtonSiteAPI" not in prim.GetPrimTypeInfo().GetAppliedAPISchemas()
@@ -52,6 +51,30 @@ def read(text: str, own: Mapping[str, str]) -> Iterator[Key]:
             yield ("link", name)
             if prim.HasAPI(UsdPhysics.MassAPI):
                 yield ("mass", name, UsdPhysics.MassAPI(prim).GetMassAttr().Get())
+    yield from _commands(stage, own)
+
+
+def _commands(stage: Usd.Stage, own: Mapping[str, str]) -> Iterator[Key]:
+    """Yield what joints can be commanded, by their drives or by actuators in place of these."""
+    found = set()
+    variants = stage.GetDefaultPrim().GetVariantSet("Newton")
+    for chosen in variants.GetVariantNames() or [""]:
+        if chosen:
+            variants.SetVariantSelection(chosen)
+        for prim in stage.Traverse():
+            joint, gains = prim.GetName(), ("", "")
+            if prim.GetTypeName() == "NewtonActuator":
+                (path,) = prim.GetRelationship("newton:targets").GetTargets()
+                joint, gains = path.name, ("newton:kp", "newton:kd")
+                found.add((joint, "effort"))
+            for axis in ("linear", "angular"):
+                if prim.HasAPI(UsdPhysics.DriveAPI, axis):
+                    before = f"drive:{axis}:physics"
+                    gains = (f"{before}:stiffness", f"{before}:damping")
+            for command, gain in zip(("position", "velocity"), gains, strict=True):
+                if gain and prim.GetAttribute(gain).Get():
+                    found |= {(joint, command), (joint, "effort")}
+    yield from (("command", own.get(joint, joint), command) for joint, command in sorted(found))
 
 
 def _joint(prim: Usd.Prim, name: str, own: Mapping[str, str]) -> Iterator[Key]:
@@ -93,8 +116,6 @@ def _joint(prim: Usd.Prim, name: str, own: Mapping[str, str]) -> Iterator[Key]:
         return
     if drive.GetStiffnessAttr().Get() or drive.GetDampingAttr().Get():
         yield ("actuated", name)  # by its position or by its speed
-        command = "position" if drive.GetStiffnessAttr().Get() else "velocity"
-        yield ("command", name, command)
     effort = drive.GetMaxForceAttr().Get()
     if isfinite(effort):
         yield ("effort", name, effort)

@@ -246,7 +246,8 @@ class Actuator(Noted):
     Attributes:
         joint: the name of the joint.
         command: `position`, `velocity` or `effort`: the first of those that it takes.
-        kp: the gain of position, in N·m/rad or N/m; of velocity in a velocity actuator; or None.
+        kp: the gain of position, in N·m/rad or N/m, or None; that of velocity if a velocity
+            actuator has no `kd`.
         kd: the gain of velocity, in N·m·s/rad or N·s/m, or None.
         frequency: of the joint with its armature alone, in Hz, which gives the gains; or None.
         damping_ratio: with that frequency; 1 by default.

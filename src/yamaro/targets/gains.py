@@ -152,7 +152,7 @@ class Gains:
 
     def of_velocity(self, joint: Joint, actuator: Actuator) -> float:
         """Return the gain of a velocity actuator, given or not, in N·m·s/rad or N·s/m."""
-        given = actuator.kp if actuator.kp is not None else actuator.kd
+        given = actuator.kd if actuator.kd is not None else actuator.kp
         if given is not None:
             return given
         limit = joint.limit

@@ -155,12 +155,15 @@ ROWS: dict[str, tuple[Cell, Cell, Cell, Cell]] = {
     ),
     **dict.fromkeys(
         ("actuator.stall_torque", "actuator.no_load_speed"),
-        (_LINES, _ACTUATORS, "nominal", _partly(LOST, "torque-speed lines of motors")),
+        (_LINES, _ACTUATORS, "nominal", "newton:saturationEffort"),
     ),
     "actuator.motor": (
         *(_partly(LOST, "armatures of actuators"), _ACTUATORS, "armature", "newton:armature"),
     ),
-    "actuator.delay": (_DELAYS, _ACTUATORS, "delay", _DELAYS),
+    "actuator.delay": (
+        *(_DELAYS, _ACTUATORS, "delay"),
+        _partly(APPROXIMATED, "delays of actuators"),
+    ),
     "surface.friction": (_NO_SURFACE, "mu", "friction", "physics:dynamicFriction"),
     "surface.friction2": (
         *(_NO_SURFACE, "mu2", _lost("second coefficients of friction")),
@@ -355,21 +358,31 @@ def lost_values(actuator: Actuator, format: str, *, but: Container[str] = ()) ->
     return found
 
 
-def lost_of_actuator(actuator: Actuator) -> Losses:
+def lost_of_actuator(
+    actuator: Actuator, *, commands: Container[str] = (), gains: Container[str] = ()
+) -> Losses:
     """Return what a format loses whose actuators take one command each, with the gains of that.
 
-    The gains of a velocity actuator are one number, `kp` or else `kd`; an effort actuator has none.
+    The gains of a velocity actuator are one number, `kd` or else `kp`; an effort actuator has none.
+
+    Args:
+        actuator: the actuator.
+        commands: further commands that its joint takes.
+        gains: further gains that the format holds.
     """
     lost = Losses()
-    if set(actuator.commands) - {actuator.command}:
+    others = set(actuator.commands) - {actuator.command}
+    if any(each not in commands for each in others):
         lost.lose("further commands of actuators", actuator, field="command")
-    gains = [name for name in ("kp", "kd") if getattr(actuator, name) is not None]
+    given = [name for name in ("kd", "kp") if getattr(actuator, name) is not None]
     if actuator.command == EFFORT:
-        for name in gains:
-            lost.lose("gains of effort actuators", actuator, field=name)
+        for name in reversed(given):
+            if name not in gains:
+                lost.lose("gains of effort actuators", actuator, field=name)
     elif actuator.command == VELOCITY:
-        for name in gains[1:]:
-            lost.lose("second gains of velocity actuators", actuator, field=name)
+        for name in given[1:]:
+            if name not in gains:
+                lost.lose("second gains of velocity actuators", actuator, field=name)
     return lost
 
 

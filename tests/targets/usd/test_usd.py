@@ -264,16 +264,6 @@ def test_a_joint_with_commanded_efforts_has_the_line_of_its_motor(tmp_path: Path
     assert drive.GetAttribute("drive:angular:physics:maxForce").Get() == 8
 
 
-@pytest.mark.parametrize(
-    ("line", "lost"),
-    [("stall_torque: 8", 0), ("no_load_speed: 5", 1), ("stall_torque: 8, no_load_speed: 5", 2)],
-)
-def test_a_drive_has_no_line(tmp_path: Path, line: str, lost: int) -> None:
-    _, build = stage_of(ARM.replace("kp: 50, kd: 2", line), tmp_path)
-    found = [loss for loss in build.losses if loss.what == "torque-speed lines of motors"]
-    assert len(found) == lost
-
-
 def test_a_position_actuator_without_gains_is_exact(tmp_path: Path) -> None:
     text = ARM.replace("kp: 50, kd: 2", "command: position, kp: 0, kd: 0")
     _, build = stage_of(text, tmp_path)

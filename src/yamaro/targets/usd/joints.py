@@ -1,4 +1,4 @@
-"""Joints of UsdPhysics: axes, limits, drives, and what Newton's and PhysX's schemas hold besides.
+"""Joints of UsdPhysics: axes, limits, and what Newton's and PhysX's schemas hold besides.
 
 The axis of a joint is X, Y or Z in USD: here always X, to which both of its frames are turned.
 What UsdPhysics has no place for is written for Newton by `newton-usd-schemas`, and for PhysX, which
@@ -14,24 +14,35 @@ from typing import TYPE_CHECKING
 
 from pxr import Gf, Sdf, Usd, UsdPhysics
 
-from ...model.joint import CONTINUOUS, FIXED, FLOATING, PLANAR, PRISMATIC, SINGLE, UNLIMITED
+from ...model.joint import (
+    CONTINUOUS,
+    FIXED,
+    FLOATING,
+    PLANAR,
+    PRISMATIC,
+    SINGLE,
+    UNLIMITED,
+    Joint,
+)  # fmt: skip
 from ...model.kinematics import WORLD
 from ...model.pose import Pose, multiply, rotation_about, rotation_from_z
-from ..gains import EFFORT, POSITION, VELOCITY, Gains
-from ..holding import leader_of, lost_of_actuator, lost_of_joints, lost_values
+from ..gains import POSITION, VELOCITY
+from ..holding import leader_of, lost_of_joints
+from .control import ControlWriter
 from .prims import element_of, quaternion_of, set_values
 
 if TYPE_CHECKING:
-    from ...model.joint import Joint
+    from collections.abc import Mapping
+
     from ...model.pose import Rotation, Vector
     from ...model.robot import Robot
     from ...source import Span
     from ...xml.tree import Element
     from ..bodies import Bodies
+    from ..elements import Owner
     from .prims import Names
 
 KINDS = {PRISMATIC: UsdPhysics.PrismaticJoint, FIXED: UsdPhysics.FixedJoint}
-TORQUE_SPEED_LINE = ("stall_torque", "no_load_speed")
 LOOPS = {
     "fixed": UsdPhysics.FixedJoint,
     "ball": UsdPhysics.SphericalJoint,
@@ -44,6 +55,7 @@ class JointWriter:
 
     Attributes:
         elements: for each joint, an element at its place.
+        has_variants: whether there is a variant with actuators of Newton in place of drives.
         losses: what USD cannot hold.
     """
 
@@ -75,12 +87,12 @@ class JointWriter:
         self._paths = paths
         self._names = names
         self._is_fixed = is_fixed
-        self._chosen = Gains(robot, is_fixed=is_fixed, has_armature=True)
+        self._control = ControlWriter(stage, robot, names, root, is_fixed=is_fixed)
         self._folder = names.new(root, "joints")
-        self._root = root
-        self._actuators = ""
         self._prims: dict[str, UsdPhysics.Joint] = {}
+        self._made: list[tuple[Usd.Prim, Owner, Mapping[str, Span]]] = []
         self.elements: list[Element] = []
+        self.has_variants = False
         self.losses = lost_of_joints(robot, "usd")
 
     def write(self) -> None:
@@ -93,19 +105,12 @@ class JointWriter:
                 prim = UsdPhysics.FixedJoint.Define(self._stage, path)
                 carrier = self._bodies.carriers[root.name]
                 self._connect(prim, None, carrier, Pose(), self._bodies.poses[root.name])
-                self.elements.append(element_of(prim.GetPrim(), root))
+                self._made.append((prim.GetPrim(), root, {}))
         for joint in robot.joints.values():
             if robot.parent_joint(joint.child) is joint and joint.child in bodies.carriers:
                 actuator = robot.actuators.get(joint.name)
                 if actuator is not None:
-                    self.losses += lost_of_actuator(actuator)
-                    self.losses += lost_values(actuator, "usd")
-                    line = [n for n in TORQUE_SPEED_LINE if getattr(actuator, n) is not None]
-                    is_held = actuator.command == EFFORT and len(line) == len(TORQUE_SPEED_LINE)
-                    if TORQUE_SPEED_LINE[1] in line and not is_held:  # which a drive has not
-                        for name in line:
-                            what = "torque-speed lines of motors"
-                            self.losses.lose(what, actuator, field=name)
+                    self._control.lose(actuator)
                 if joint.type == FLOATING:
                     how = "links that no joint holds"
                     self.losses.approximate("floating joints", joint, how=how)
@@ -130,7 +135,14 @@ class JointWriter:
                 bodies.poses[second] @ turn,
             )
             prim.CreateExcludeFromArticulationAttr(True)  # in which no loop can be
-            self.elements.append(element_of(prim.GetPrim(), loop))
+            self._made.append((prim.GetPrim(), loop, {}))
+        self._control.finish()
+        for prim, owner, places in self._made:
+            motor = self._control.elements.get(owner.name) if isinstance(owner, Joint) else None
+            children = [motor] if motor is not None else []
+            self.elements.append(element_of(prim, owner, children=children, places=places))
+        self.losses += self._control.losses
+        self.has_variants = self._control.has_variants
 
     def _add(self, joint: Joint) -> None:
         kind = UsdPhysics.RevoluteJoint if joint.type in SINGLE else UsdPhysics.Joint
@@ -158,7 +170,7 @@ class JointWriter:
             convert = float if joint.type == PRISMATIC else degrees
             prim.CreateLowerLimitAttr(convert(lower))
             prim.CreateUpperLimitAttr(convert(upper))
-            self._drive(prim, joint)
+            self._control.write(prim, joint)
             self._resist(prim, joint)
             self._prims[joint.name] = prim
         elif joint.type == PLANAR:
@@ -168,7 +180,7 @@ class JointWriter:
                 limit = UsdPhysics.LimitAPI.Apply(prim.GetPrim(), freedom)
                 limit.CreateLowAttr(end)
                 limit.CreateHighAttr(-end)
-        self.elements.append(element_of(prim.GetPrim(), joint, places=self._places_in(joint)))
+        self._made.append((prim.GetPrim(), joint, self._places_in(joint)))
 
     def _connect(
         self,
@@ -188,48 +200,7 @@ class JointWriter:
         prim.CreateLocalPos1Attr(Gf.Vec3f(*at_second.position))
         prim.CreateLocalRot1Attr(Gf.Quatf(quaternion_of(at_second)))
 
-    # --- limits and drives ---
-
-    def _drive(self, prim: UsdPhysics.RevoluteJoint, joint: Joint) -> None:
-        """Write what drives a joint: gains of angular drives are per degree."""
-        actuator = self._robot.actuators.get(joint.name)
-        effort = joint.limit.effort if joint.limit is not None else None
-        stall = actuator.stall_torque if actuator is not None else None
-        if stall is not None:
-            effort = min(effort, stall) if effort is not None else stall
-        if actuator is None and effort is None:
-            return
-        is_linear = joint.type == PRISMATIC
-        unit = 1.0 if is_linear else degrees(1)
-        kp = kd = 0.0  # in SI; those that are not given are as in MJCF
-        if actuator is not None and actuator.command == POSITION:
-            kp = actuator.kp if actuator.kp is not None else self._chosen.of_position(joint)
-            kd = actuator.kd if actuator.kd is not None else self._chosen.damping(joint, kp)
-        elif actuator is not None and actuator.command == VELOCITY:
-            kd = self._chosen.of_velocity(joint, actuator)
-        drive = UsdPhysics.DriveAPI.Apply(prim.GetPrim(), "linear" if is_linear else "angular")
-        drive.CreateTypeAttr("force")
-        if effort is not None:
-            drive.CreateMaxForceAttr(effort)
-        drive.CreateStiffnessAttr(kp / unit)
-        drive.CreateDampingAttr(kd / unit)
-        if actuator is not None and actuator.command not in (POSITION, VELOCITY):
-            if not self._actuators:
-                self._actuators = self._names.new(self._root, "actuators")
-                self._stage.DefinePrim(self._actuators, "Scope")
-            path = self._names.new(self._actuators, prim.GetPrim().GetName())
-            motor = self._stage.DefinePrim(path, "NewtonActuator")
-            motor.CreateRelationship("newton:targets", custom=False).SetTargets([prim.GetPath()])
-            motor.AddAppliedSchema("NewtonPDControlAPI")  # whose gains are 0: it adds the effort
-            speed = actuator.no_load_speed
-            if stall is not None and speed is not None:
-                line = {
-                    "saturationEffort": stall, "velocityLimit": speed, "maxMotorEffort": effort
-                }  # fmt: skip
-                set_values(motor, "NewtonDCMotorClampingAPI", "newton", line)
-            elif effort is not None:
-                set_values(motor, "NewtonMaxEffortClampingAPI", "newton", {"maxEffort": effort})
-            self.elements.append(element_of(motor, actuator))
+    # --- resistance, followers ---
 
     def _resist(self, prim: UsdPhysics.RevoluteJoint, joint: Joint) -> None:
         """Write what resists a joint, and how fast it may be, for Newton and for PhysX."""
@@ -303,10 +274,8 @@ class JointWriter:
             if actuator.command == POSITION:
                 found["damping"] = actuator.span_of("kd")
             elif actuator.command == VELOCITY:
-                found["damping"] = actuator.span_of("kd" if actuator.kp is None else "kp")
+                found["damping"] = actuator.span_of("kd" if actuator.kd is not None else "kp")
         return found
-
-    # --- loops ---
 
 
 def _x_to(axis: Vector) -> Rotation:

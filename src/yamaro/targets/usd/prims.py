@@ -32,6 +32,7 @@ def element_of(
     *,
     children: Iterable[Element] = (),
     places: Mapping[str, Span] | None = None,
+    is_named: bool = True,
 ) -> Element:
     """Return an element with the name, the path and the values of a prim that are one word.
 
@@ -43,9 +44,12 @@ def element_of(
         owner: what it is made of.
         children: the elements in it.
         places: where its values are written, if not there.
+        is_named: whether its name is that of one prim; what is in an element can do without.
     """
     values = {each.GetBaseName(): each.Get() for each in prim.GetAuthoredAttributes()}
-    attributes: Attributes = {"name": prim.GetName(), "path": str(prim.GetPath())}
+    attributes: Attributes = {"path": str(prim.GetPath())}
+    if is_named:
+        attributes = {"name": prim.GetName(), **attributes}
     for name, value in values.items():
         if isinstance(value, (str, float, int)):
             attributes[name] = value

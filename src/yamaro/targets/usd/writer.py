@@ -16,6 +16,7 @@ from ..holding import lost_sections
 from ..inertia import Inertias
 from ..losses import RENAMED, Loss, Losses
 from ..output import Output
+from .control import ACTUATORS, VARIANTS
 from .joints import JointWriter
 from .prims import NEWTON_SCHEMAS, Names, element_of, place, quaternion_of
 from .sensors import add_cameras
@@ -88,6 +89,11 @@ class _Model:
         prim = UsdGeom.Xform.Define(self.stage, self.root).GetPrim()
         self.stage.SetDefaultPrim(prim)
         UsdPhysics.ArticulationRootAPI.Apply(prim)
+        prim.AddAppliedSchema("NewtonArticulationRootAPI")
+        collides = prim.CreateAttribute(
+            "newton:selfCollisionEnabled", Sdf.ValueTypeNames.Bool, custom=False
+        )
+        collides.Set(True)
         self._shapes = ShapeWriter(self.stage, robot, wanted, self.names, self.root)
 
     def fill(self) -> None:
@@ -127,6 +133,11 @@ class _Model:
         add_cameras(self.stage, robot, self._paths, self.names, self.losses)
         self.losses += self._shapes.losses
         self.losses += joints.losses
+        if joints.has_variants:
+            variant = {"prim": self.root, "variantSetName": VARIANTS, "activateOption": ACTUATORS}
+            layer = self.stage.GetRootLayer()
+            data = {"SimReady_Metadata": {"Variants": {"Physics": {VARIANTS: variant}}}}
+            layer.customLayerData = {**layer.customLayerData, **data}
         self.losses += lost_sections(robot, states=True, controls=True)
         self.losses += foreign_losses(robot)
 
