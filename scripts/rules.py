@@ -20,7 +20,7 @@ sys.path.insert(0, str(ROOT / "src"))
 
 from yamaro.codes import Rule, anchor_of, rules  # noqa: E402
 
-ROOMS = "yaml syntax files xacro safe robot check targets picture".split()
+ROOMS = "yaml syntax files xacro sources safe robot check targets picture".split()
 """Folders of src/yamaro in the order of docs/diagnostics.md; after them come the tools."""
 MARK = "<!-- scripts/rules.py writes the rest, from the files rules.md in src/yamaro -->\n"
 TABLE = re.compile(r"(<!-- rules: ([^\n]*) -->\n\n).*?(\n<!-- end of rules -->)", re.DOTALL)

@@ -46,6 +46,7 @@ if TYPE_CHECKING:
         base: str | None
         repair_inertia: bool
         sdf_version: str | None
+        model: str | None
         on_progress: Callable[[float], None] | None
         partial: bool
 
@@ -78,6 +79,7 @@ DEFAULTS: dict[str, object] = {
     "base": None,
     "repair_inertia": False,
     "sdf_version": None,
+    "model": None,
     "on_progress": None,
     "partial": False,
 }
@@ -168,6 +170,7 @@ class Options:
     base: str | None
     repair_inertia: bool
     sdf_version: str | None
+    model: str | None
     on_progress: Callable[[float], None] | None
     partial: bool
 

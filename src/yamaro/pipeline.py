@@ -31,6 +31,8 @@ if TYPE_CHECKING:
     from .policy import Policy
     from .request import Request
     from .runtime.files import Library
+    from .runtime.interpreter import ReadSource
+    from .source import Source, Span
     from .targets.output import Output
 
     Say = Callable[[str], None]
@@ -315,10 +317,31 @@ def _interpreter(
         packages=request.packages,
         shares=not records,
         target=target,
+        read_source=_source_reader(request),
     )
     if records:
         interpreter.noted = Noted(interpreter)
     return interpreter
+
+
+def _source_reader(request: Request) -> ReadSource:
+    """Return what reads robots in other formats than URDF, for which only it loads the readers."""
+
+    def read(root: Element, read_text: Callable[[str, Span], Source]) -> Element | None:
+        from .sources.host import Host
+        from .sources.table import read_source
+
+        host = Host(
+            root.span.source,
+            read=read_text,
+            finder=request.finder,
+            limits=request.options.policy.limits,
+            reporter=request.reporter,
+            model=request.options.model,
+        )
+        return read_source(root, host)
+
+    return read
 
 
 def evaluate(request: Request, interpreter: Interpreter) -> Element:

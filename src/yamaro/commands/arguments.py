@@ -282,6 +282,7 @@ def options_of(arguments: Arguments, **others: Unpack[AllOptions]) -> Options:
         "allow": arguments.lists.get("allow", ()),
         "deny": arguments.lists.get("deny", ()),
         "output": output_of(arguments),
+        "model": arguments.options.get("model"),
     }
     wanted.update(targets_of(arguments))
     wanted.update(others)

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 BUILDING = (
     "quiet", "strict", "allow", "deny", "trust", "jail", "safe", "timeout", "allow-path", "limit",
-    "package", "color",
+    "package", "color", "model",
 )  # fmt: skip
 """Those of commands that build one file of the user's, and show its messages."""
 WORKING = (
@@ -186,6 +186,13 @@ OPTIONS = {
             value="VERSION",
             wants="1.11, 1.9 or 1.12",
             choices=("1.11", "1.9", "1.12"),
+        ),
+        Option(
+            "model",
+            "the model to read of an MJCF or SDF file that has several",
+            BOTH,
+            value="NAME",
+            wants="the name of a model",
         ),
         Option(
             "gazebo",

@@ -17,7 +17,7 @@ from __future__ import annotations
 
 from math import isfinite
 
-from ..xml.tree import Element
+from ..xml.tree import Element, RobotNote
 from ..xml.values import Numbers
 from .joint import Calibration, Dynamics, Joint, Limit, Mimic, SafetyController
 from .link import Collision, Inertial, Link, Material, Visual
@@ -95,12 +95,12 @@ def element(
 
 def note(
     kind: str, place: Place, values: Mapping[str, Value], children: Iterable[Node] = ()
-) -> Element:
+) -> RobotNote:
     """Return a note for `robot`: what it has besides links and joints; see `extras.py`."""
     given: dict[str, object] = {
         name: _value(value) for name, value in values.items() if value is not None
     }
-    return Element(kind, place.span, given, list(children), place.trace, place.values)
+    return RobotNote(kind, place.span, given, list(children), place.trace, place.values)
 
 
 def _value(value: Value) -> Numbers | str | None:

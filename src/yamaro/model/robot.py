@@ -342,9 +342,9 @@ class Robot(Written):
         """Return how the robot is placed in the world, as the main file says it, or None."""
         return self._more().base
 
-    def raw(self, format: str) -> list[RawXml]:
-        """Return the XML that is written for one output format, such as `mjcf`."""
-        return [each for each in self._more().raw if each.format == format]
+    def raw(self, format: str | None = None) -> list[RawXml]:
+        """Return the XML that is for one output format, such as `mjcf`; by default for any."""
+        return [each for each in self._more().raw if format in (None, each.format)]
 
     def _repr_html_(self) -> str | None:
         """Return what a notebook shows: the robot in 3D."""

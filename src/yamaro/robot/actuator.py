@@ -14,12 +14,11 @@ from ..diagnostics import YamaroError, failure
 from ..model.joint import PRISMATIC
 from ..model.schema import ACTUATOR, COMMANDS, OF_MOTOR
 from ..motors import MOTORS, spelled
-from ..xml.tree import Element, Text
+from ..xml.tree import Element, RobotNote, Text
 from ..xml.values import LiteralList, Numbers, format_value
 from .extras import read_field
 from .fields import empty_value, read_value, word_of
 from .notes import (
-    RobotNote,
     chosen,
     entries_of,
     given_once,

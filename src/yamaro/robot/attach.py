@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure
 from ..xml.robot_names import RobotNames
-from ..xml.tree import Element, IncludedRobot, Text
+from ..xml.tree import Element, IncludedRobot, RobotNote, Text
 from .fields import POSE_KEYS, POSE_ROWS
 from .joint import lower_joint
 from .lowering import names_of
 from .mirror import copy_of
-from .notes import RobotNote, check_keys, place_of, text_of
+from .notes import check_keys, place_of, text_of
 from .rigid import RigidLinks, child_links, name_of, pose_of, set_pose
 
 TYPE_CHECKING = False

@@ -9,10 +9,10 @@ from fnmatch import fnmatchcase
 
 from ..diagnostics import YamaroError, did_you_mean, failure
 from ..model.schema import CONTROL
-from ..xml.tree import Element, Text
+from ..xml.tree import Element, RobotNote, Text
 from ..xml.values import format_value
 from .fields import read_value, word_of
-from .notes import RobotNote, check_keys, entries_of, given_once, names_in, one_of, place_of
+from .notes import check_keys, entries_of, given_once, names_in, one_of, place_of
 from .numbers import negated
 
 TYPE_CHECKING = False

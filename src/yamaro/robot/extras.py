@@ -15,10 +15,10 @@ from ..model.schema import (
     WHOLE,
 )
 from ..model.schema import SENSOR as ANY_SENSOR
-from ..xml.tree import Element
+from ..xml.tree import Element, RobotNote
 from ..xml.values import Numbers, format_value
 from .fields import FRAME, POSE_ROWS, SENSOR, read_value, sort_fields, word_of
-from .notes import RobotNote, check_keys, given_once, refuse_attributes
+from .notes import check_keys, given_once, refuse_attributes
 from .numbers import read_numbers
 from .pose import ZERO_ROW, Pose, origin_element, read_pose
 

@@ -9,10 +9,10 @@ from ..model.joint import LIMITED
 from ..model.pose import rotate, transposed
 from ..model.positions import HOME
 from ..model.reading import read_robot
-from ..xml.tree import Element
+from ..xml.tree import Element, RobotNote
 from ..xml.values import format_value
 from .lowering import names_of
-from .notes import GROUP, NAMED, RobotNote, take_notes
+from .notes import GROUP, NAMED, take_notes
 from .numbers import read_numbers
 from .rigid import ends_of, name_of
 

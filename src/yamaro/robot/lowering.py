@@ -17,12 +17,12 @@ if TYPE_CHECKING:
     from ..model.shapes import Inertia
     from ..source import Source, Span
     from ..xml.forms import Form
+    from ..xml.tree import RobotNote
     from ..xml.values import Numbers
     from .control import PendingControl
     from .formed import Pattern
     from .mirror import Mirror
     from .naming import Naming
-    from .notes import RobotNote
 
     Outside = tuple[
         list[Element],

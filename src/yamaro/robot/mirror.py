@@ -11,12 +11,12 @@ from ..model.pose import Pose
 from ..model.schema import ELEMENTS, KEPT, NEGATED, RECORDS
 from ..source import joined
 from ..xml.robot_names import RobotNames
-from ..xml.tree import Element, RawBlock, Text
+from ..xml.tree import Element, RawBlock, RobotNote, Text
 from ..xml.values import format_value
 from .extras import OPTICAL
 from .lowering import names_of
 from .naming import WordRenaming
-from .notes import NAMED, RobotNote, check_keys, one_of, place_of
+from .notes import NAMED, check_keys, one_of, place_of
 from .numbers import negated
 from .rigid import RigidLinks, child_links, link_of, name_of, pose_of, set_pose
 

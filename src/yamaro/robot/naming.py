@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure
-from ..xml.tree import Element, Text
+from ..xml.tree import Element, RobotNote, Text
 from .fields import read_value, word_of
-from .notes import RobotNote, check_keys
+from .notes import check_keys
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

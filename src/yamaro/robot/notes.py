@@ -8,7 +8,7 @@ change the names in it with all others. At the end the notes are taken out.
 from __future__ import annotations
 
 from ..diagnostics import failure
-from ..xml.tree import Element, RawBlock, Text
+from ..xml.tree import Element, RawBlock, RobotNote, Text
 from ..xml.values import LiteralList, format_value
 from .fields import read_value, word_of
 
@@ -30,16 +30,6 @@ SURFACE = "surface"
 GROUP = "robot-group"
 NAMED = {"sensor": "sensor", GROUP: "group", "robot-loop": "loop", "ros2_control": "control"}
 """The notes that are named once in a robot, and what messages call them."""
-
-
-class RobotNote(Element):
-    """Something about a robot that is not an element of URDF, such as a sensor or a state.
-
-    Its attributes are texts and numbers as they are read; those that name a link, a joint or a
-    frame are called `link`, `joint` and `frame`, so that they are renamed with it.
-    """
-
-    __slots__ = ()
 
 
 def check_keys(word: Element, known: Collection[str], *, hint: str = "") -> None:

@@ -7,7 +7,7 @@ that joints refer to are resolved at the end, over the whole tree.
 from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure, settle
-from ..xml.tree import Element, PartElement, RobotWord, unshared
+from ..xml.tree import Element, PartElement, RobotNote, RobotWord, unshared
 from ..xml.values import format_value
 from .fields import (
     PART,
@@ -28,6 +28,7 @@ from .notes import (
     lower_joint_words,
     lower_link_words,
     surfaces_in,
+    take_notes,
     take_words,
 )
 
@@ -69,9 +70,12 @@ def lower(
         YamaroError: holds every error found.
     """
     places = _places_of_parts(root)
-    if not places:
+    has_notes = any(isinstance(child, RobotNote) for child in root.children)
+    if not places and not has_notes:
         return root, ()
     if root.name != "robot":
+        if not places:
+            return take_notes(root)
         first = next(iter(places.values()))
         raise failure(
             "part-outside-robot",
@@ -92,7 +96,7 @@ def lower(
     if lowering.errors:
         raise YamaroError(lowering.errors)
     resolve_names(lowering, robot)
-    if not lowering.has_words:
+    if not lowering.has_words and not has_notes:
         return robot, ()
     from .finish import finish_notes
 

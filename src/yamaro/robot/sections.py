@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure
 from ..model.schema import COLLISIONS, GROUP, LOOP
-from ..xml.tree import Element
+from ..xml.tree import Element, RobotNote
 from .fields import read_value, word_of
-from .notes import TRUTHS, RobotNote, check_keys, entries_of, given_once, names_in, one_of
+from .notes import TRUTHS, check_keys, entries_of, given_once, names_in, one_of
 from .numbers import read_numbers
 
 TYPE_CHECKING = False

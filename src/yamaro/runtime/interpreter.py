@@ -9,7 +9,7 @@ from __future__ import annotations
 from ..diagnostics import INHERITED, Frame, InputFault, Reporter, YamaroError, failure
 from ..files.packages import PackageFinder
 from ..policy import JAIL, Limits, Policy
-from ..source import Span
+from ..source import Source, Span
 from ..syntax.nodes import (
     Body,
     Content,
@@ -39,6 +39,7 @@ if TYPE_CHECKING:
     from .recording import Noted
     from .yaml_main import Passed
 
+    ReadSource = Callable[[Element, Callable[[str, Span], Source]], Element | None]
     Handlers = Mapping[type, Callable[["Interpreter", Any, Scope, list[Node], Body | None], None]]
 
 
@@ -126,6 +127,7 @@ class Interpreter:
         packages: PackageFinder | None = None,
         shares: bool = True,
         target: str = TARGET,
+        read_source: ReadSource | None = None,
     ) -> None:
         """Begin a conversion.
 
@@ -139,6 +141,8 @@ class Interpreter:
             shares: let one element stand wherever it would be built again just as it is, its
                 trace inherited; without, every element is built for its place, with a trace.
             target: the output format that is written.
+            read_source: gives the `<robot>` that a document in another format than URDF describes,
+                None for other documents.
         """
         self._handlers = handlers
         self.policy = policy = policy or Policy()
@@ -164,6 +168,7 @@ class Interpreter:
         self.evaluator = _evaluator_of(policy, self.files, self.safety)
         self.values = Values(self.evaluator)
         self.shares = shares
+        self.read_source = read_source
         self.builder = Builder()
         self.frame: Frame | None = None
         self.root_content: Content | None = None  # what is in the root of the main file

@@ -1,4 +1,4 @@
-"""URDF and xacro files in a program: as the main file, or included."""
+"""XML files in a program, as the main file or included: URDF, xacro, and other formats."""
 
 from __future__ import annotations
 
@@ -40,6 +40,28 @@ def read_included(source: Source, limits: Limits) -> tuple[Element, bool]:
         return read_xml(source, limits, exact=True).root, True
     root = read_xml(source, limits, exact="xacro:" in source.text).root
     return root, is_xacro(root)
+
+
+def read_robot(interpreter: Interpreter, root: Element) -> Element:
+    """Return the root of a URDF as it is, and of a robot in another format what it describes.
+
+    Raises:
+        YamaroError: the robot has errors.
+    """
+    if root.name == "robot" or interpreter.read_source is None:
+        return root
+    host = XacroHost(
+        interpreter.files,
+        interpreter.messages,
+        interpreter.limits,
+        main=root.span.source,
+        has_environment=False,
+    )
+    robot = interpreter.read_source(root, host.read)
+    if robot is None:
+        return root
+    interpreter.has_parts = interpreter.has_blocks = True
+    return robot
 
 
 def is_named_xacro(source: Source) -> bool:
@@ -209,6 +231,7 @@ def include_xml(
             mark_included(root, "")
             content = root.children
         else:
+            root = read_robot(interpreter, root)
             content = xml_content(root, passed.get("prefix"), frame, interpreter.inner_trace(frame))
         declare_prefixes(root, content)
         out += content
@@ -366,6 +389,7 @@ def run_xml_main(
         files.note(source.path or source.name)
         root, is_xacro = read_included(source, limits)
         if not is_xacro:
+            root = read_robot(interpreter, root)
             return tidy_root(root, interpreter.inner_trace(None)), False
         if safety is not None and not interpreter.policy.is_confined:
             raise xacro_in_safe_mode(Span(source, root.span.start, root.span.end))

@@ -7,6 +7,7 @@ from ..model.schema import ELEMENTS
 from ..model.values import attribute_text, content, numbers_in
 from ..xml.tree import Element
 from .losses import Losses
+from .table import TARGETS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -213,6 +214,29 @@ class RawXmlOf:
 def _elements_of(raw: RawXml) -> list[Element]:
     """Return the elements of a block, each with the calls and includes that led to it."""
     return [each.settled(raw.trace) for each in raw.elements]
+
+
+def lost_blocks(robot: Robot, format: str) -> Losses:
+    """Return the losses of blocks for another format, which the robot was read from.
+
+    What YAML says for another format is not run, so that it is in no robot.
+    """
+    found = Losses()
+    for raw in robot.raw():
+        if raw.format == format:
+            continue
+        title = TARGETS[raw.format].title if raw.format in TARGETS else raw.format
+        home = f"link '{raw.link}'" if raw.link is not None else f"joint '{raw.joint}'"
+        label = home if raw.link is not None or raw.joint is not None else "the robot"
+        for each in raw.elements:
+            is_setting = each.text().strip() and not each.elements() and not each.attributes
+            what = (
+                f"{title}'s values of '{each.name}'"
+                if is_setting
+                else f"{title}'s <{each.name}> elements"
+            )
+            found.lose_xml(what, each, label=label, trace=each.trace_within(raw.trace))
+    return found
 
 
 def settings_in(elements: list[Element]) -> tuple[dict[str, Element], list[Element]]:

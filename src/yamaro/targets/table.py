@@ -196,7 +196,12 @@ def write_target(robot: Robot, wanted: Wanted) -> Output:
         if not target.library:
             raise
         raise target.missing(robot.span) from None
-    return write(robot, wanted)
+    output = write(robot, wanted)
+    if target.run == target.name and any(raw.format != target.name for raw in robot.raw()):
+        from .foreign_xml import lost_blocks
+
+        output.losses = [*output.losses, *lost_blocks(robot, target.name)]
+    return output
 
 
 def found_for(format: str, diagnostics: Sequence[Diagnostic]) -> list[Diagnostic]:

@@ -293,6 +293,16 @@ class RawBlock(Element):
     __slots__ = ()
 
 
+class RobotNote(Element):
+    """Something about a robot that is not an element of URDF, such as a sensor or a state.
+
+    Its attributes are texts and numbers as they are read; those that name a link, a joint or a
+    frame are called `link`, `joint` and `frame`, so that they are renamed with it.
+    """
+
+    __slots__ = ()
+
+
 Node = Element | Text | Comment
 
 

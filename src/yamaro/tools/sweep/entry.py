@@ -281,6 +281,7 @@ def _plan(arguments: Arguments) -> Plan:
         base=options.get("base"),
         repair_inertia=arguments.has("repair-inertia"),
         sdf_version=options.get("sdf-version"),
+        model=options.get("model"),
     )
     axes: dict[str, str] = {}
     for word in arguments.words[1:]:

@@ -1,0 +1,1 @@
+"""Sources: robots in other formats than URDF, read into the model."""

@@ -1,0 +1,290 @@
+"""The tree of bodies: each with what is in it, defaults and frames resolved, names complete."""
+
+from __future__ import annotations
+
+from ...diagnostics import failure
+from ...model.pose import IDENTITY, Pose
+from .classes import Classes
+from .compiler import ORIENTATIONS, Compiler, given_by
+from .document import BODY, WORLD, Document, text
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from ...source import Span
+    from ...xml.tree import Element
+    from ..host import Host
+    from .classes import Given
+    from .document import Document
+
+OF_BODIES = ("joint", "freejoint", "geom", "site", "inertial")
+"""What a body holds that is looked at, besides other bodies."""
+_KINDS = {"equality": "equality", "tendon": "tendon"}
+"""The default element of all that is in a section."""
+NAMELESS = ("class", "childclass")
+REFERENCES = {
+    "joint": "joint", "joint1": "joint", "joint2": "joint", "jointinparent": "joint",
+    "body": "body", "body1": "body", "body2": "body", "target": "body",
+    "subtree1": "body", "subtree2": "body",
+    "site": "site", "site1": "site", "site2": "site", "cranksite": "site", "slidersite": "site",
+    "refsite": "site", "sidesite": "site",
+    "geom": "geom", "geom1": "geom", "geom2": "geom",
+    "tendon": "tendon", "tendon1": "tendon", "tendon2": "tendon",
+    "actuator": "actuator", "camera": "camera", "mesh": "mesh", "hfield": "hfield",
+    "material": "material", "texture": "texture", "flex": "flex", "instance": "plugin",
+}  # fmt: skip
+"""What the attributes name that name something."""
+
+
+class Thing:
+    """An element with all that it has: its own attributes, and those of its class.
+
+    Attributes:
+        element: the element.
+        kind: its name.
+        name: the name that it has in the model, or "".
+        given: its attributes except for names and classes; names in them are those in the model.
+        context: the document that it is of.
+        children: what is in it, such as the joints of a tendon.
+    """
+
+    __slots__ = ("children", "context", "element", "given", "kind", "name")
+
+    def __init__(self, element: Element, context: Context, given: Given) -> None:
+        self.element = element
+        self.kind = element.name
+        self.context = context
+        name = given.pop("name", None)
+        self.name = context.prefix + name[0] if name is not None and name[0] else ""
+        given.pop("class", None)
+        if context.prefix:
+            for attribute in REFERENCES.keys() & given.keys():
+                value, span = given[attribute]
+                given[attribute] = (context.prefix + value, span)
+        self.given = given
+        self.children = [Thing(child, context, given_by(child)) for child in element.elements()]
+
+    @property
+    def span(self) -> Span:
+        """Return where it is written."""
+        return self.element.span
+
+    @property
+    def name_span(self) -> Span:
+        """Return where its name is written."""
+        return self.element.value_span("name")
+
+    def text(self, attribute: str) -> str | None:
+        """Return an attribute as it is written, or None."""
+        found = self.given.get(attribute)
+        return found[0] if found is not None else None
+
+
+class Placed(Thing):
+    """A thing that is in a body at a pose.
+
+    Attributes:
+        pose: T_body_thing.
+    """
+
+    __slots__ = ("pose",)
+
+    pose: Pose
+
+
+class Body:
+    """A body.
+
+    Attributes:
+        thing: its element, and the attributes of it.
+        name: its name.
+        pose: T_parent_body.
+        inertial: its `<inertial>`, or None.
+        joints: in order; with the frame around each, T_body_frame.
+        geoms, sites: in order.
+        others: what else is in it, such as cameras, with the frame around each.
+        bodies: those in it.
+    """
+
+    __slots__ = (
+        "bodies",
+        "geoms",
+        "inertial",
+        "joints",
+        "name",
+        "others",
+        "pose",
+        "sites",
+        "thing",
+    )
+
+    def __init__(self, thing: Thing, name: str, pose: Pose) -> None:
+        self.thing = thing
+        self.name = name
+        self.pose = pose
+        self.inertial: Placed | None = None
+        self.joints: list[Placed] = []
+        self.geoms: list[Placed] = []
+        self.sites: list[Placed] = []
+        self.others: list[Placed] = []
+        self.bodies: list[Body] = []
+
+    def iter(self) -> Iterator[Body]:
+        """Yield it and all bodies in it, each before those in it."""
+        pending = [self]
+        while pending:
+            body = pending.pop()
+            yield body
+            pending += reversed(body.bodies)
+
+
+class Context:
+    """A document while it is read, as the main model or as one that is attached.
+
+    Attributes:
+        document: the document.
+        classes: its default classes.
+        compiler: its settings.
+        prefix: what is before the names of all that is in it.
+    """
+
+    __slots__ = ("classes", "compiler", "document", "host", "prefix")
+
+    def __init__(self, document: Document, host: Host, prefix: str = "") -> None:
+        """Read the settings and classes of a document.
+
+        Raises:
+            YamaroError: one of them is faulty.
+        """
+        self.document = document
+        self.host = host
+        self.prefix = prefix
+        self.compiler = Compiler(document)
+        self.classes = Classes(document.sections("default"))
+
+    def given(self, element: Element, childclass: str | None = None, *, section: str = "") -> Given:
+        """Return the attributes of an element and those of its class.
+
+        Args:
+            element: the element.
+            childclass: the class of those that have none.
+            section: the section that it is in, unless it is in a body.
+
+        Raises:
+            YamaroError: it has a class that is not there.
+        """
+        own = given_by(element)
+        named = own.get("class")
+        name = named[0] if named is not None else childclass
+        span = named[1] if named is not None else element.span
+        kinds = self.classes.of(name, span)
+        if section == "actuator" and element.name != "plugin":
+            from .actuators import defaults
+
+            base = defaults(kinds, element.name)
+        elif section in ("", "asset", "contact", "equality", "tendon"):
+            base = kinds.get(_KINDS.get(section, element.name), {})
+        else:
+            return own
+        if not base:
+            return own
+        merged = {**base, **own}
+        if any(each in own for each in ORIENTATIONS):
+            for each in ORIENTATIONS:
+                if each not in own:
+                    merged.pop(each, None)
+        return merged
+
+    def things(self, section: str) -> list[Thing]:
+        """Return the elements of all sections of a name."""
+        return [
+            Thing(each, self, self.given(each, section=section))
+            for each in self.document.inside(section)
+        ]
+
+
+class Reader:
+    """Reads the bodies of a document.
+
+    Attributes:
+        models: the documents that can be attached, by name.
+    """
+
+    __slots__ = ("_attached", "_depth", "_frames", "attached", "host")
+
+    def __init__(self, host: Host) -> None:
+        self.host = host
+        self.attached: list[Context] = []
+        self._depth = 0
+
+    def world(self, context: Context) -> Body:
+        """Return the world of a document with all bodies in it.
+
+        Raises:
+            YamaroError: the document has an error.
+        """
+        sections = context.document.sections(WORLD)
+        element = sections[0] if sections else context.document.root
+        world = Body(Thing(element, context, {}), "world", IDENTITY)
+        for section in sections:
+            name = text(section, "childclass")
+            self._read(context, section, world, IDENTITY, name)
+        return world
+
+    def _read(
+        self, context: Context, around: Element, body: Body, frame: Pose, childclass: str | None
+    ) -> None:
+        """Read what is in a body, or in a frame in it."""
+        compiler = context.compiler
+        for element in around.elements():
+            kind = element.name
+            if kind == BODY:
+                self._body(context, element, body, frame, childclass)
+            elif kind == "frame":
+                given = given_by(element)
+                inner = given.get("childclass")
+                pose = compiler.pose(given)
+                self._read(
+                    context,
+                    element,
+                    body,
+                    pose if frame is IDENTITY else frame @ pose,
+                    inner[0] if inner is not None else childclass,
+                )
+            else:
+                thing = Placed(element, context, context.given(element, childclass))
+                thing.pose = frame
+                if kind == "geom":
+                    body.geoms.append(thing)
+                elif kind == "site":
+                    body.sites.append(thing)
+                elif kind in ("joint", "freejoint"):
+                    body.joints.append(thing)
+                elif kind == "inertial":
+                    body.inertial = thing
+                else:
+                    body.others.append(thing)
+
+    def _body(
+        self, context: Context, element: Element, parent: Body, frame: Pose, childclass: str | None
+    ) -> None:
+        given = given_by(element)
+        inner = given.pop("childclass", None)
+        thing = Thing(element, context, given)
+        pose = context.compiler.pose(given)
+        if frame is not IDENTITY:
+            pose = frame @ pose
+        name = thing.name or f"{parent.name}_{len(parent.bodies) + 1}"
+        body = Body(thing, name, pose)
+        parent.bodies.append(body)
+        self._depth += 1
+        if self._depth > self.host.limits.nesting:
+            raise failure(
+                "too-deep",
+                f"bodies are nested {self._depth:,} levels deep here",
+                element.span,
+                hint=self.host.limits.hint("nesting"),
+            )
+        self._read(context, element, body, IDENTITY, inner[0] if inner is not None else childclass)
+        self._depth -= 1
