@@ -15,10 +15,10 @@ from ..model.schema import (
     WHOLE,
 )
 from ..model.schema import SENSOR as ANY_SENSOR
-from ..xml.tree import Element, RobotNote
+from ..xml.tree import Element, RawBlock, RobotNote, Text
 from ..xml.values import Numbers, format_value
 from .fields import FRAME, POSE_ROWS, SENSOR, read_value, sort_fields, word_of
-from .notes import check_keys, given_once, refuse_attributes
+from .notes import check_keys, given_once, refuse_attributes, with_entries
 from .numbers import read_numbers
 from .pose import ZERO_ROW, Pose, origin_element, read_pose
 
@@ -264,20 +264,26 @@ def lower_surfaces(
 
 def lower_frame(lowering: Lowering, word: Element, link: str, out: list[Node]) -> None:
     """Append the joint and the empty link that are a frame in URDF; record what is wrong."""
+    blocks = [child for child in word.children if isinstance(child, RawBlock)]
+    if blocks:
+        word = word.with_children([each for each in word.children if each not in blocks])
     try:
         name = name_of_word(word, "tool0")
+        if any(isinstance(each, Text) and isinstance(each.value, dict) for each in word.children):
+            word = with_entries(word)
         check_keys(word, FRAME.keys)
         fields = sort_fields(lowering, word, FRAME)
         pose = read_pose(lowering, fields)
     except YamaroError as error:
         lowering.absorb(error)
         return
-    out += frame_elements(lowering, word, name, link, pose)
+    joint, frame = frame_elements(lowering, word, name, link, pose)
+    out += [joint, frame.with_children([*blocks])]
 
 
 def frame_elements(
     lowering: Lowering, word: Element, name: str, link: str, pose: Pose
-) -> list[Node]:
+) -> list[Element]:
     """Return a fixed joint and the empty link on it: what a frame is in URDF."""
     span = word.value_span("name")
     trace = lowering.trace

@@ -8,7 +8,7 @@ change the names in it with all others. At the end the notes are taken out.
 from __future__ import annotations
 
 from ..diagnostics import failure
-from ..xml.tree import Element, RawBlock, RobotNote, Text
+from ..xml.tree import Comment, Element, RawBlock, RobotNote, Text
 from ..xml.values import LiteralList, format_value
 from .fields import read_value, word_of
 
@@ -184,6 +184,7 @@ def given_once(word: Element, known: Collection[str] | None = None) -> dict[str,
     Raises:
         YamaroError: one is unknown, or given twice in the same mapping.
     """
+    word = with_entries(word)
     if known is not None:
         check_keys(word, known)
     keys: dict[str, Element] = {}
@@ -199,6 +200,24 @@ def given_once(word: Element, known: Collection[str] | None = None) -> dict[str,
             )
         keys[key.name] = key
     return keys
+
+
+def with_entries(word: Element) -> Element:
+    """Return a word with the entries of a dict that an expression gave as if they were written.
+
+    Raises:
+        YamaroError: there is a text or a list in it.
+    """
+    if not any(isinstance(child, Text) for child in word.children):
+        return word
+    kept: list[Node] = [child for child in word.children if not isinstance(child, Comment)]
+    example = EXAMPLES.get(word.name, "name: value")
+    entries = entries_of(word.with_children(kept), f"{word.name}: {{{example}}}")
+    return word.with_children([*entries])
+
+
+EXAMPLES = {"actuator": "kp: 50, kd: 2", "surface": "friction: 0.8", "sensor": "type: imu"}
+"""Entries of words, for hints."""
 
 
 def entries_of(owner: Element, example: str) -> list[Element]:
@@ -287,7 +306,10 @@ def take_raw_blocks(robot: Element) -> tuple[Element, list[Element]]:
     """Return a robot without the blocks for one format, and a note for each of them.
 
     A note has the `format`, and the `link` or `joint` that the block is in; what it holds is XML of
-    the format.
+    the format. A block in a visual or collision is one of its link, with the element of that name.
+
+    Raises:
+        YamaroError: such a visual or collision has no name.
     """
     notes: list[Element] = []
     children: list[Node] = []
@@ -303,17 +325,53 @@ def take_raw_blocks(robot: Element) -> tuple[Element, list[Element]]:
 
 def _without_blocks(owner: Element, notes: list[Element]) -> Element:
     """Return a link or joint without its blocks, of which notes are made."""
-    blocks = [child for child in owner.children if isinstance(child, RawBlock)]
-    if not blocks:
-        return owner
+    home = {owner.name: format_value(owner.attributes.get("name"))}
     trace = owner.trace_within(None)
-    notes += [
-        _note(block, {owner.name: format_value(owner.attributes.get("name"))}, trace)
-        for block in blocks
-    ]
-    return owner.with_children(
-        [child for child in owner.children if not isinstance(child, RawBlock)]
-    )
+    children: list[Node] = []
+    for child in owner.children:
+        if isinstance(child, RawBlock):
+            notes.append(_note(child, home, trace))
+            continue
+        if isinstance(child, Element) and child.name in ("visual", "collision"):
+            blocks = [each for each in child.children if isinstance(each, RawBlock)]
+            if blocks:
+                notes += [_note(_of_section(child, block), home, trace) for block in blocks]
+                rest = [each for each in child.children if not isinstance(each, RawBlock)]
+                child = child.with_children(rest)
+        children.append(child)
+    return owner if children == owner.children else owner.with_children(children)
+
+
+def _of_section(section: Element, block: RawBlock) -> RawBlock:
+    """Return a block in a visual or collision as one of the link, which names the section.
+
+    MJCF, whose elements hold no text, has an entry with a text as an attribute of the geom.
+
+    Raises:
+        YamaroError: the section has no name.
+    """
+    name = format_value(section.attributes.get("name")).strip()
+    if not name:
+        raise failure(
+            "missing-name",
+            f"this {section.name} has no name, by which '{block.name}' is written into it",
+            block.span,
+            hint=f"write {section.name}/name=shell:",
+            trace=block.trace_within(None),
+        )
+    attributes: dict[str, object] = {"name": name}
+    spans = {"name": section.value_span("name")}
+    children: list[Node] = []
+    for child in block.children:
+        is_text = isinstance(child, Element) and not child.elements() and not child.attributes
+        if block.name == "mjcf" and isinstance(child, Element) and is_text and child.children:
+            attributes[child.name] = child.text().strip()
+            spans[child.name] = place_of(child)
+        else:
+            children.append(child)
+    tag = "geom" if block.name == "mjcf" else section.name
+    inner = Element(tag, block.span, attributes, children, block.trace, spans)
+    return RawBlock(block.name, block.span, children=[inner], trace=block.trace)
 
 
 def _note(block: RawBlock, home: dict[str, str], trace: Frame | None) -> RobotNote:

@@ -7,10 +7,12 @@ one output format are words in a part, its joint and its link as well.
 
 from __future__ import annotations
 
-from ..diagnostics import YamaroError
+from ..diagnostics import YamaroError, failure
+from ..syntax.keys import NAME_RULE, name_fault
 from ..syntax.names import RAW_BLOCKS
 from ..syntax.nodes import Body, TextContent
 from ..xml.tree import Element, PartElement, RawBlock, RobotWord, Text
+from ..xml.values import format_value
 from .includes import run_include
 from .markup import run_element
 from .predefined import TARGET
@@ -56,16 +58,22 @@ def _run_raw_block(
     if node.faults:
         raise YamaroError(fault.copy() for fault in node.faults)
     for item in node.items:
-        if item.body is None:
+        if item.body is None and item.content is None:
             continue
-        if interpreter.target == TARGET:
+        if interpreter.target != TARGET:
+            _run_for_format(interpreter, node, item, scope, out)
+        elif item.body is not None:
             interpreter.run_body(item.body, scope, out)
         else:
-            _run_for_format(interpreter, node, item.body, scope, out)
+            out += _elements_of_dict(interpreter, node, item, scope)
 
 
 def _run_for_format(
-    interpreter: Interpreter, node: RobotWordNode, body: Body, scope: Scope, out: list[Node]
+    interpreter: Interpreter,
+    node: RobotWordNode,
+    item: RobotWordItem,
+    scope: Scope,
+    out: list[Node],
 ) -> None:
     """Append a block of XML for a format other than URDF.
 
@@ -73,11 +81,14 @@ def _run_for_format(
     """
     block = RawBlock(node.key.text, node.span, trace=interpreter.trace(), verbatim=True)
     content: list[Node] = []
-    depths = interpreter.part_depth, interpreter.element_depth
-    if any(depths):
-        interpreter.part_depth, interpreter.element_depth = 0, 2
-    interpreter.run_body(body, scope, content)
-    interpreter.part_depth, interpreter.element_depth = depths
+    if item.body is None:
+        content += _elements_of_dict(interpreter, node, item, scope)
+    else:
+        depths = interpreter.part_depth, interpreter.element_depth
+        if any(depths):
+            interpreter.part_depth, interpreter.element_depth = 0, 2
+        interpreter.run_body(item.body, scope, content)
+        interpreter.part_depth, interpreter.element_depth = depths
     block.children = [each for each in content if not isinstance(each, PartElement)]
     if block.children:
         interpreter.has_blocks = True
@@ -85,13 +96,54 @@ def _run_for_format(
     out += [each for each in content if isinstance(each, PartElement)]
 
 
+def _elements_of_dict(
+    interpreter: Interpreter, node: RobotWordNode, item: RobotWordItem, scope: Scope
+) -> list[Node]:
+    """Return the elements of a block whose content is a dict that an expression gives.
+
+    Raises:
+        YamaroError: it is something else.
+    """
+    assert isinstance(item.content, TextContent), "a block is a body or an expression"
+    span = item.content.span
+    value = interpreter.values.written(item.content.value, scope)
+    if value is None:
+        return []
+    if not isinstance(value, dict):
+        raise failure(
+            "not-a-body",
+            f"'{node.key.text}' holds entries such as `name: value`",
+            span,
+            hint=f"write {node.key.text}: {{armature: 0.01}}, or an expression that gives a dict",
+        )
+    found: list[Node] = []
+    pending = [(value, found)]
+    while pending:
+        entries, out = pending.pop()
+        for name, inner in entries.items():
+            fault = name_fault(format_value(name), "element")
+            if fault is not None:
+                raise failure("bad-name", fault, span, hint=NAME_RULE)
+            element = Element(format_value(name), span, {}, [], interpreter.trace())
+            out.append(element)
+            if isinstance(inner, dict):
+                pending.append((inner, element.children))
+            elif inner is not None:
+                element.children.append(Text(inner, span))
+    return found
+
+
+HOMES = (("joint", "link"), ("visual", "collision", "frame"))
+"""The elements that may hold a block: those in a part, and those in the link of one."""
+
+
 def _is_in_part(interpreter: Interpreter) -> bool:
-    """Return whether this is directly in a part, or in the joint or link of one."""
-    if not interpreter.part_depth or interpreter.element_depth > 1:
+    """Return whether this is directly in a part, or in an element that may hold a block."""
+    depth, holder = interpreter.element_depth, interpreter.filled
+    if not interpreter.part_depth or depth > len(HOMES):
         return False
-    holder = interpreter.filled
-    return interpreter.element_depth == 0 or (
-        holder is not None and holder.name in ("joint", "link") and not holder.verbatim
+    return depth == 0 or (
+        holder is not None and holder.name in HOMES[depth - 1] and not holder.verbatim
     )
 
 

@@ -68,7 +68,11 @@ def parse_raw_block(key: ScalarNode, node: YamlNode, context: ParseContext) -> R
     inner = ParseContext(context.reporter, context.rules)
     inner.blocks, inner.codes = context.blocks, context.codes
     item = RobotWordItem(key.span())
-    if not is_empty(node):
+    if isinstance(node, ScalarNode):
+        if not is_empty(node):
+            value = inner.attempt(parse_template, node, context=inner)
+            item.content = None if value is None else TextContent(value, node.span())
+    else:
         item.body = inner.attempt(parse_body, node, f"`{key.text}`", inner)
     word.items.append(item)
     word.faults = inner.errors

@@ -141,7 +141,9 @@ def parse_statement(key: ScalarNode, node: YamlNode, context: ParseContext) -> S
         from .robot_words import parse_robot_word
 
         return parse_robot_word(key, node, context)
-    if word in RAW_BLOCKS and (is_empty(node) or not isinstance(node, ScalarNode)):
+    if word in RAW_BLOCKS and (
+        is_empty(node) or not isinstance(node, ScalarNode) or node.text.startswith("$(")
+    ):
         from .robot_words import parse_raw_block
 
         return parse_raw_block(key, node, context)
