@@ -15,7 +15,7 @@ from tests.waiting import PATIENCE
 BENCH = Path(__file__).parents[1] / "bench"
 OTHERS = {
     *("attached", "changes", "engines", "fresh", "interface", "losses", "mass", "measuring"),
-    *("mirrored", "mjcf", "newton_orders"),
+    *("mirrored", "mjcf", "mjcf_in", "newton_orders"),
     *("killed", "noise", "others", "reading", "robots", "run", "sdf", "style", "urdf", "usd"),
     *("values", "verdicts"),
 }

@@ -187,7 +187,7 @@ class RawXmlOf:
             elif raw.joint is not None:
                 self._left.setdefault(("joint", raw.joint), []).append(raw)
             else:
-                self.robot += _elements_of(raw)
+                self.robot += elements_of(raw)
 
     def in_link(self, name: str) -> list[Element]:
         """Return the elements for a link, once."""
@@ -208,10 +208,10 @@ class RawXmlOf:
 
     def _taken(self, kind: str, name: str) -> list[Element]:
         found = self._left.pop((kind, name), ())
-        return [element for raw in found for element in _elements_of(raw)]
+        return [element for raw in found for element in elements_of(raw)]
 
 
-def _elements_of(raw: RawXml) -> list[Element]:
+def elements_of(raw: RawXml) -> list[Element]:
     """Return the elements of a block, each with the calls and includes that led to it."""
     return [each.settled(raw.trace) for each in raw.elements]
 

@@ -17,6 +17,8 @@ from .losses import Losses
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Container
+
     from ..model.joint import Joint
     from ..model.link import Inertial, Link
     from ..model.pose import Rotation, Vector
@@ -67,13 +69,16 @@ class Inertias:
 
     __slots__ = ("by_link", "errors", "losses")
 
-    def __init__(self, robot: Robot, *, is_fixed: bool, repairs: bool) -> None:
+    def __init__(
+        self, robot: Robot, *, is_fixed: bool, repairs: bool, passed: Container[str] = ()
+    ) -> None:
         """Work them out.
 
         Args:
             robot: the robot.
             is_fixed: whether its root is fixed in the world.
             repairs: whether moments that no body can have are changed instead of refused.
+            passed: the links that are not bodies, between two joints of one body.
         """
         self.by_link: dict[str, Principal] = {}
         self.losses = Losses()
@@ -119,6 +124,8 @@ class Inertias:
         }
         for name in dict.fromkeys(upper.values()):
             joint = robot.parent_joint(name)
+            if name in passed and not _rests_below(robot, name):
+                continue
             if name not in heavy and (joint is not None or not is_fixed):
                 self._refuse_massless(robot.links[name], joint)
 
@@ -171,6 +178,11 @@ class Inertias:
                 trace=link.trace,
             )
         )
+
+
+def _rests_below(robot: Robot, link: str) -> bool:
+    """Return whether a fixed joint is below a link."""
+    return any(joint.type == FIXED for joint in robot.joints_below(link))
 
 
 def balanced(moments: Vector) -> Vector:

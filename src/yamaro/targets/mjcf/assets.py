@@ -22,15 +22,18 @@ from ...meshes.formats import (
 )
 from ...model.convex import cross, dot, minus, outer_points
 from ...sandbox.jail.protocol import pack, unpack
+from ...xml.tree import Element
+from ...xml.values import format_value
 from ..assets import named_by_content
 from ..elements import element
 from ..mesh_contents import MeshContents
 from ..output import FOLDER
+from .blocks import changed
 from .model import MATERIAL, MESH, TEXTURE, Writing
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
 
     from ...meshes.surfaces import Surface
     from ...model.link import Collision, Color, Link, Material, Visual
@@ -38,6 +41,8 @@ if TYPE_CHECKING:
     from ...model.shapes import Mesh
     from ...model.values import Written
     from ..elements import Attributes
+
+    Read = Callable[[MeshContents, str], list["Part"]]
 
 
 MOST_FACETS = 200_000
@@ -103,12 +108,7 @@ def collision_part(contents: MeshContents, path: str) -> list[Part]:
         FlatMeshError: all its corners are in a plane, so that it has no convex hull.
         MeshFileError, MissingLibraryError: see `MeshContents.surfaces_of`.
     """
-    part = _kept(contents, path)
-    if part is None:
-        part = Part(
-            contents.kept(path, "mjcf collision", lambda: obj_of(contents.surfaces_of(path))),
-            ".obj",
-        )
+    (part,) = whole_part(contents, path)
     if is_flat(points_of(part)):
         raise FlatMeshError("all its corners are in a plane")
     return [part]
@@ -182,6 +182,21 @@ def is_flat(points: Iterator[Vector]) -> bool:
     return True
 
 
+def whole_part(contents: MeshContents, path: str) -> list[Part]:
+    """Return a mesh in one part, as it is to collide and to be seen.
+
+    Raises:
+        MeshFileError, MissingLibraryError: see `MeshContents.surfaces_of`.
+    """
+    part = _kept(contents, path)
+    if part is None:
+        part = Part(
+            contents.kept(path, "mjcf collision", lambda: obj_of(contents.surfaces_of(path))),
+            ".obj",
+        )
+    return [part]
+
+
 def _part(surfaces: list[Surface]) -> Part:
     """Return surfaces that look the same."""
     first = surfaces[0]
@@ -240,6 +255,54 @@ def _unpacked(data: bytes) -> list[Part]:
     return parts
 
 
+# --- files of blocks ----------------------------------------------------------------------------
+
+WITH_FILES = frozenset(("mesh", "texture", "hfield", "skin", "flexcomp"))
+"""Elements of MJCF whose attributes `file`, `fileup` … name files."""
+
+
+def with_files(writing: Writing, element: Element) -> Element:
+    """Return an element of a block with the files that it names in the folder of assets.
+
+    A relative path that leads nowhere stays: the file may be where the document will be.
+    """
+    children = [
+        with_files(writing, each) if isinstance(each, Element) else each
+        for each in element.children
+    ]
+    files: dict[str, object] = {}
+    for name, value in element.attributes.items() if element.name in WITH_FILES else ():
+        if name.startswith("file") and name != "filename":
+            text = format_value(value).strip()
+            contents = MeshContents(writing.wanted.paths)
+            span = element.value_span(name)
+            path = contents.path_of(text, span)
+            trace = element.trace_within(None)
+            if path is None and os.path.isabs(text):
+                label = f"the file '{text}' of a <{element.name}>"
+                writing.fail("missing-mesh", f"{label} is not found", "", span=span, trace=trace)
+            elif path is not None:
+                try:
+                    files[name] = asset_file(writing, path, contents.bytes_of(path))
+                except MeshFileError as error:
+                    message = f"the file '{text}' of a <{element.name}> cannot be read: {error}"
+                    writing.fail("bad-mesh", message, "", span=span, trace=trace)
+    unchanged = all(one is other for one, other in zip(children, element.children, strict=True))
+    if unchanged and not files:
+        return element
+    made = changed(element, {**element.attributes, **files})
+    made.children = children
+    return made
+
+
+def asset_file(writing: Writing, path: str, data: bytes) -> str:
+    """Put a file into the folder of assets, and return its name there."""
+    stem, ending = os.path.splitext(os.path.basename(path))
+    name = named_by_content(stem, ending, [data])
+    writing.files.setdefault(f"{FOLDER}/{name}", data)
+    return name
+
+
 # --- assets -----------------------------------------------------------------------------------
 
 
@@ -260,9 +323,9 @@ class Looks:
         self._materials: dict[str, str] = {}
         self._colors: dict[tuple[Color | None, str], str] = {}
         self._textures: dict[str, str] = {}
-        self._parts: dict[tuple[str, bool], list[Part]] = {}
+        self._parts: dict[tuple[str, Read], list[Part]] = {}
         self._corners: dict[str, list[Vector]] = {}
-        self._useless: dict[tuple[str, bool], tuple[str, str]] = {}
+        self._useless: dict[tuple[str, Read], tuple[str, str]] = {}
         self._meshes: dict[tuple[str, Vector], str] = {}
 
     # --- materials ---
@@ -349,7 +412,7 @@ class Looks:
         has_own = False
         stem, label = _stem(mesh.filename), f"'{mesh.filename}' of link '{link.name}'"
         losses = self._writing.losses
-        for part in self._read(link, visual, mesh, is_visual=True):
+        for part in self._read(link, visual, mesh, visual_parts):
             name = self._mesh(part, stem, mesh, link, visual)
             if part.is_mixed:
                 what, how = "colours of mesh corners", "their mean"
@@ -366,10 +429,20 @@ class Looks:
         """Return the attributes of the geom of a mesh that collides, or None for none."""
         if not self._writing.wanted.has_meshes:
             return None
-        parts = self._read(link, collision, mesh, is_visual=False)
+        return self._one(link, collision, mesh, self._read(link, collision, mesh, collision_part))
+
+    def whole_mesh(self, link: Link, visual: Visual, mesh: Mesh) -> Attributes | None:
+        """Return the attributes of the one geom that shows a mesh, or None for none."""
+        if not self._writing.wanted.has_meshes:
+            return None
+        return self._one(link, visual, mesh, self._read(link, visual, mesh, whole_part))
+
+    def _one(
+        self, link: Link, shape: Visual | Collision, mesh: Mesh, parts: list[Part]
+    ) -> Attributes | None:
         if not parts:
             return None
-        name = self._mesh(parts[0], _stem(mesh.filename), mesh, link, collision)
+        name = self._mesh(parts[0], _stem(mesh.filename), mesh, link, shape)
         return {"type": "mesh", "mesh": name}
 
     def corners_of(self, mesh: Mesh) -> list[Vector]:
@@ -379,7 +452,7 @@ class Looks:
         assert path is not None, "it was read"
         if path not in self._corners:
             try:
-                self._corners[path] = outer_points(points_of(self._parts[path, False][0]))
+                self._corners[path] = outer_points(points_of(self._parts[path, collision_part][0]))
             except (ValueError, OverflowError):  # what is not a number is for MuJoCo to say
                 self._corners[path] = []
         a, b, c = mesh.scale
@@ -407,10 +480,8 @@ class Looks:
             self._writing.add("asset", made)
         return self._meshes[key]
 
-    def _read(
-        self, link: Link, owner: Visual | Collision, mesh: Mesh, *, is_visual: bool
-    ) -> list[Part]:
-        """Return what a mesh is made of; report why there is nothing."""
+    def _read(self, link: Link, owner: Visual | Collision, mesh: Mesh, read: Read) -> list[Part]:
+        """Return what a mesh is made of, as a function above gives it; report why it is nothing."""
         assert mesh.element is not None, "the robot was read from elements"
         span = mesh.element.value_span("filename")
         fail = partial(self._writing.fail, span=span, trace=owner.trace_in(link))
@@ -419,10 +490,9 @@ class Looks:
         if path is None:
             fail("missing-mesh", f"{label} is not found", MESH_HINT)
             return []
-        key = (path, is_visual)
+        key = (path, read)
         if key not in self._parts and key not in self._useless:
             try:
-                read = visual_parts if is_visual else collision_part
                 self._parts[key] = read(self._contents, path)
             except MissingLibraryError as error:
                 hint = f'run pip install "yamaro[mesh]"; {MESH_HINT}'

@@ -33,7 +33,10 @@ def add_mimics(writing: Writing) -> None:
     robot = writing.robot
     for joint in robot.joints.values():
         mimic, leader = joint.mimic, leader_of(robot, joint)
-        if mimic is None or leader is None or joint.child not in writing.plan.carriers:
+        if mimic is None or leader is None or joint.name not in writing.joints:
+            continue
+        name = writing.joint_name(joint.name)
+        if writing.blocks.equality_of(joint.name, name):
             continue
         places: dict[str, Span] = {
             "joint2": mimic.span_of("joint"),
@@ -42,8 +45,8 @@ def add_mimics(writing: Writing) -> None:
         attributes: Attributes = {
             "name": writing.names.fresh(EQUALITY, joint.name),
             "class": writing.classes.model,
-            "joint1": joint.name,
-            "joint2": leader.name,
+            "joint1": name,
+            "joint2": writing.joint_name(leader.name),
             "polycoef": (mimic.offset, mimic.multiplier, 0, 0, 0),
         }
         made = element("joint", attributes, owner=joint, part=mimic, places=places)
@@ -54,6 +57,8 @@ def add_loops(writing: Writing) -> None:
     """Append the equalities of joints that close loops."""
     for loop in writing.robot.loops.values():
         first, second = loop.between
+        if writing.blocks.equality_of(loop.name):
+            continue
         if not {first, second} <= writing.plan.carriers.keys():
             writing.losses.lose("loops between links that are not there", loop)
         elif loop.type == "fixed":
@@ -93,7 +98,7 @@ def _site(writing: Writing, loop: Loop, frame: str, wanted: str, axis: Vector | 
     """Return the site of a frame, or a new one: in a body, or on an axis."""
     plan = writing.plan
     if axis is None and frame in plan.sites:
-        return frame
+        return writing.site_name(frame)
     pose = plan.poses[frame]
     if axis is not None:
         x, y, z = (HINGE_LENGTH * part for part in axis)
@@ -117,8 +122,11 @@ def add_excludes(writing: Writing) -> None:
     overlap at home, which contacts would push apart; what is lost so is reported.
 
     Source: MoveIt's setup assistant calls these pairs adjacent, and default; MuJoCo leaves out only
-    adjacent ones of which the upper body can move.
+    adjacent ones of which the upper body can move. Where a block has a section `contact`, the file
+    itself says which pairs have none.
     """
+    if writing.blocks.has("contact"):
+        return
     rigid: dict[str, str] = {}
     for link in writing.plan.order:
         joint = writing.robot.parent_joint(link.name)

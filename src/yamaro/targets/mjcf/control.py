@@ -16,10 +16,12 @@ from ...model.joint import SINGLE
 from ...model.kinematics import joint_positions, link_poses
 from ...model.pose import IDENTITY
 from ...model.positions import HOME, positions_in
+from ...model.values import attribute_text, numbers_of
 from ..elements import element
 from ..gains import EFFORT, POSITION, TIME_STEP, VELOCITY, Gains
 from ..holding import lost_of_actuator, lost_values
-from .joints import effort_of, numbers_of, range_of
+from .blocks import merged, same_name
+from .joints import effort_of, numbers_at, range_of
 from .model import ACTUATOR, JOINTS, Writing
 from .scene import heights_at
 
@@ -60,9 +62,16 @@ def add_actuators(writing: Writing) -> set[str]:
     gains = Gains(robot, is_fixed=writing.wanted.is_fixed, has_armature=True)
     for name, actuator in robot.actuators.items():
         joint = robot.joints.get(name)
-        is_driven = joint is not None and joint.type in SINGLE and joint.mimic is None
+        word = _word(actuator)
+        given = writing.blocks.actuator_of(name, word)
+        if joint is None or joint.type not in SINGLE:
+            is_driven = False
+        else:
+            is_driven = joint.mimic is None or given is not None
         if joint is None or not is_driven or robot.parent_joint(joint.child) is not joint:
             writing.losses.lose("actuators of joints that are not independent", actuator)
+            continue
+        if given is not None and given.name != word:
             continue
         writing.losses += lost_of_actuator(actuator)
         writing.losses += lost_values(actuator, "mjcf")
@@ -79,11 +88,9 @@ def add_actuators(writing: Writing) -> set[str]:
             places["forcerange"] = places["saturation"] = joint.limit.span_of("effort")
         attributes: Attributes = {
             "name": writing.names.fresh(ACTUATOR, joint.name),
-            "joint": joint.name,
+            "joint": writing.joint_name(joint.name),
         }
-        word = WORDS.get(command, "motor")
         if stall is not None and speed is not None:
-            word = "dcmotor"
             attributes |= {
                 "nominal": (1.0, stall, speed),
                 **_controller(actuator, joint, gains),
@@ -93,19 +100,27 @@ def add_actuators(writing: Writing) -> set[str]:
             if limit is not None and limit >= speed:
                 bounded.add(joint.name)
         else:
-            attributes |= _gains(actuator, joint, gains)
-        attributes["ctrlrange"] = _control(joint, command, force)
-        if word in ("position", "velocity"):
-            attributes["forcerange"] = force
+            attributes |= _gains(actuator, joint, gains, is_free=given is None)
+        if given is None:  # else the file says itself what there is
+            attributes["ctrlrange"] = _control(joint, command, force)
+            attributes["forcerange"] = force if word in ("position", "velocity") else None
         if actuator.delay is not None and actuator.delay > LONGEST_DELAY:
             what = f"delays of more than {LONGEST_DELAY:g} s"
             writing.losses.lose(what, actuator, field="delay")
         elif actuator.delay:
             attributes["nsample"] = ceil(actuator.delay / SHORTEST_STEP)
             attributes["delay"] = actuator.delay
-        writing.controls.append((joint.name, command))
-        writing.add("actuator", element(word, attributes, owner=actuator, places=places))
+        made = element(word, attributes, owner=actuator, places=places)
+        writing.controls[id(made)] = (joint.name, command)
+        writing.add("actuator", made)
     return bounded
+
+
+def _word(actuator: Actuator) -> str:
+    """Return the word of MJCF for an actuator."""
+    if actuator.stall_torque is not None and actuator.no_load_speed is not None:
+        return "dcmotor"
+    return WORDS.get(actuator.command, "motor")
 
 
 def _control(
@@ -122,8 +137,8 @@ def _control(
     return range_of(joint)
 
 
-def _gains(actuator: Actuator, joint: Joint, gains: Gains) -> Attributes:
-    """Return the gains of a servo."""
+def _gains(actuator: Actuator, joint: Joint, gains: Gains, *, is_free: bool) -> Attributes:
+    """Return the gains of a servo; `is_free` if damping may be chosen where none is given."""
     if actuator.command == EFFORT:
         return {}
     if actuator.command == VELOCITY:
@@ -132,7 +147,7 @@ def _gains(actuator: Actuator, joint: Joint, gains: Gains) -> Attributes:
     found: Attributes = {"kp": stiffness}
     if actuator.kd is not None:
         found["kv"] = actuator.kd
-    else:
+    elif is_free:
         found["dampratio"] = 1
     return found
 
@@ -153,33 +168,60 @@ def _controller(actuator: Actuator, joint: Joint, gains: Gains) -> Attributes:
 # --- keyframes: the robot's states, and where it rests if it says nothing of `home` -----------
 
 
-def add_keyframes(writing: Writing, raw: list[Element]) -> None:
-    """Append a keyframe for each state, `home` first.
+def add_keyframes(writing: Writing) -> None:
+    """Append a keyframe for each state, `home` first, and those of blocks.
 
-    Args:
-        writing: the run.
-        raw: the XML that the file holds for the model; its actuators come after ours.
+    Those are for the joints of the file: where others have joined them, they do not fit.
     """
-    bodies = writing.sections["worldbody"].iter()
-    order = [str(each.attributes.get("name")) for each in bodies if each.name in JOINTS]
-    if not order:
-        return
-    if not writing.motions.keys() >= set(order):  # of joints that the file has for MJCF alone
-        for state in writing.robot.states.values():
-            what = "states of robots with joints of their own in MJCF"
-            writing.losses.lose(what, state, label=f"'{state.name}'")
-        return
-    others = sum(len(each.elements()) for each in raw if each.name == "actuator")
+    bodies = list(writing.sections["worldbody"].iter())
+    joints = [each for each in bodies if each.name in JOINTS]
+    order = [str(each.attributes.get("name")) for each in joints]
+    blocks = writing.blocks
     states = dict(writing.robot.states)
+    given = {attribute_text(each, "name"): each for each in blocks.in_section("keyframe")}
     home = states.pop(HOME, None)
-    _add_key(writing, HOME, home, order, others)
-    for name, state in states.items():
-        _add_key(writing, name, state, order, others)
+    if order and writing.motions.keys() >= set(order):
+        if home is not None or not blocks.has("keyframe"):
+            _add_key(writing, HOME, home, order)
+        for name, state in states.items():
+            _add_key(writing, name, state, order)
+    elif order:  # of joints that the file has for MJCF alone
+        for state in writing.robot.states.values():
+            if state.name not in given:
+                what = "states of robots with joints of their own in MJCF"
+                writing.losses.lose(what, state, label=f"'{state.name}'")
+    sizes = {
+        "qpos": sum(map(_width, joints)),
+        "ctrl": len(writing.sections["actuator"].children),
+    }
+    keys = writing.sections["keyframe"]
+    fitting = []
+    for each in blocks.in_section("keyframe"):
+        wrong = [
+            name
+            for name, size in sizes.items()
+            if name in each.attributes and len(numbers_of(each, name)) != size
+        ]
+        if wrong:
+            label = f"'{attribute_text(each, 'name') or ''}'"
+            trace = each.trace_within(None)
+            writing.losses.lose_xml("keyframes of other joints", each, label=label, trace=trace)
+            continue
+        if "qpos" in each.attributes:  # it is whole
+            own = attribute_text(each, "name")
+            rest = [key for key in keys.elements() if attribute_text(key, "name") != own]
+            keys.children = [*rest] if own is not None else keys.children
+        fitting.append(each)
+    keys.children = merged(keys.children, fitting, same_name)
 
 
-def _add_key(
-    writing: Writing, name: str, state: State | None, order: list[str], others: int
-) -> None:
+def _width(joint: Element) -> int:
+    """Return how many numbers of `qpos` a joint has."""
+    kind = "free" if joint.name == "freejoint" else attribute_text(joint, "type")
+    return {"free": 7, "ball": 4}.get(kind or "", 1)
+
+
+def _add_key(writing: Writing, name: str, state: State | None, order: list[str]) -> None:
     """Append a keyframe: a number for each of `qpos`, and for each actuator, also for others."""
     given = positions_in(writing.robot, state)
     positions = joint_positions(writing.robot, given)
@@ -190,15 +232,15 @@ def _add_key(
         origin, known = IDENTITY, writing.robot.joints.get(source)
         if known is not None and known.parent in writing.plan.static:
             origin = writing.plan.static[known.parent] @ known.origin
-        found = numbers_of(part, positions.get(source, 0.0), origin)
+        found = numbers_at(part, positions.get(source, 0.0), origin)
         if part in ("base", "free"):
             link = source if part == "base" else writing.robot.joints[source].child
             found[2] += heights.get(link, 0.0)
         numbers += found
     controls = []
-    for joint, command in writing.controls:
+    for each in writing.sections["actuator"].elements():
+        joint, command = writing.controls.get(id(each), ("", ""))
         target = positions.get(joint) if command == POSITION else None
         controls.append(target if isinstance(target, float) else 0.0)
-    controls += [0.0] * others
     attributes: Attributes = {"name": name, "qpos": numbers, "ctrl": controls or None}
     writing.add("keyframe", element("key", attributes, owner=state or writing.robot.element))

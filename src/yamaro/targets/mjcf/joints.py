@@ -5,7 +5,7 @@ from __future__ import annotations
 from ...model.joint import CONTINUOUS, FLOATING, PLANAR, PRISMATIC, REVOLUTE, UNLIMITED
 from ...model.pose import UNTURNED, Pose, quaternion_from_rotation, rotate, rotation_from_z
 from ..elements import element, number
-from .model import JOINT, Places, Writing
+from .model import JOINT, Places, Writing, pose_attributes, quiet
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -25,26 +25,38 @@ TYPES = {REVOLUTE: "hinge", CONTINUOUS: "hinge", PRISMATIC: "slide"}
 _PLANE = ("x", "y", "yaw")
 
 
-def add_joints(writing: Writing, joint: Joint, body: Element) -> None:
-    """Append what lets a body move on the one that it is in; nothing for a fixed joint."""
+def add_joints(writing: Writing, joint: Joint, body: Element, place: Pose) -> None:
+    """Append what lets a body move on the one that it is in; nothing for a fixed joint.
+
+    Args:
+        writing: the run.
+        joint: the joint.
+        body: the body that has it.
+        place: T_body_joint, before any joint moves.
+    """
+    found: list[Element] = []
     if joint.type in TYPES:
-        body.children.append(_single(writing, joint))
+        found = [_single(writing, joint, place)]
     elif joint.type == PLANAR:
         turn = rotation_from_z(joint.axis)
         axes = [rotate(turn, (1.0, 0.0, 0.0)), rotate(turn, (0.0, 1.0, 0.0)), joint.axis]
-        found = []
         for part, axis in zip(_PLANE, axes, strict=True):
             kind = None if part == "yaw" else "slide"
             found.append(_part(writing, joint, part, kind, axis))
         _rename(writing, joint, found)
-        body.children += found
     elif joint.type == FLOATING:
-        body.children += _floating(writing, joint)
+        found = _floating(writing, joint)
+    body.children += found
+    writing.joints[joint.name] = found
 
 
-def _single(writing: Writing, joint: Joint) -> Element:
+def _single(writing: Writing, joint: Joint, place: Pose) -> Element:
     """Return the joint of one number."""
     limit, ends, effort = joint.limit, range_of(joint), effort_of(joint)
+    if writing.blocks.text("joint", joint.name, "limited") == "false":
+        ends = None
+    if writing.blocks.text("joint", joint.name, "actuatorfrclimited") == "false":
+        effort = None
     places: Sources = {"name": (joint, "name"), "type": (joint, "type")}
     if limit is not None:
         places |= {"range": (limit, "upper"), "actuatorfrcrange": (limit, "effort")}
@@ -59,16 +71,25 @@ def _single(writing: Writing, joint: Joint) -> Element:
     if actuator is not None:
         places["armature"] = (actuator, "armature")
     attributes: Attributes = {
-        "name": joint.name,
+        "name": writing.joint_name(joint.name),
         "type": TYPES[joint.type] if joint.type == PRISMATIC else None,
-        "axis": joint.axis,
+        "pos": pose_attributes(place)["pos"],
+        "axis": _turned(place, joint.axis),
         "range": ends if limit is not None else None,
         **_dynamics(joint, places),
         "armature": actuator.armature or None if actuator is not None else None,
         "actuatorfrcrange": (-effort, effort) if effort is not None else None,
     }
-    writing.motions[joint.name] = (joint.name, "single")
+    writing.motions[writing.joint_name(joint.name)] = (joint.name, "single")
     return element("joint", attributes, owner=joint, places=Places(places))
+
+
+def _turned(place: Pose, axis: Vector) -> Vector:
+    """Return the axis of a joint in its body."""
+    if place.rotation == UNTURNED:
+        return axis
+    x, y, z = (quiet(part) for part in rotate(place.rotation, axis))
+    return (x, y, z)
 
 
 def range_of(joint: Joint) -> tuple[float, float] | None:
@@ -142,7 +163,7 @@ def _rename(writing: Writing, joint: Joint, parts: list[Element]) -> None:
 # --- positions ----------------------------------------------------------------------------------
 
 
-def numbers_of(part: str, position: Position, origin: Pose) -> list[float]:
+def numbers_at(part: str, position: Position, origin: Pose) -> list[float]:
     """Return the numbers of `qpos` of one joint in MJCF.
 
     Args:

@@ -6,6 +6,7 @@ from ...model.kinematics import WORLD, link_poses
 from ...xml.tree import Element
 from ..elements import element, number, row
 from ..inertia import written_moments
+from .blocks import ANCHOR
 from .joints import add_joints
 from .model import JOINT, Writing, pose_attributes, stem_of
 from .scene import heights_at
@@ -22,6 +23,12 @@ def add_bodies(writing: Writing) -> None:
     """Append the body or site of each link, in the order from the roots to the leaves."""
     for link in writing.plan.order:
         name = link.name
+        if name in writing.plan.passed:
+            above = writing.robot.parent_joint(name)
+            if above is not None and writing.blocks.text("joint", above.name, ANCHOR) is None:
+                what, how = "links without mass between two joints", "joints of one body"
+                writing.losses.approximate(what, link, how=how)
+            continue
         if link is writing.plan.world:
             if link.mass:
                 writing.losses.lose(
@@ -37,7 +44,7 @@ def add_bodies(writing: Writing) -> None:
             joint = writing.robot.parent_joint(link.name)
             assert joint is not None, "a root is a body"
             attributes: Attributes = {
-                "name": link.name,
+                "name": writing.site_name(link.name),
                 "class": writing.classes.frame,
                 **pose_attributes(writing.plan.poses[link.name]),
             }
@@ -49,7 +56,7 @@ def _add_body(writing: Writing, link: Link) -> None:
     """Append the body of a link, with its inertia and joint, to the body that it is in."""
     parent, pose = writing.plan.parent_and_pose(link)
     name = writing.body_name(link.name)
-    if name != link.name:
+    if name != link.name and writing.blocks.text("link", link.name, "name") is None:
         writing.losses.rename("links", link, new=name)
     joint = writing.robot.parent_joint(link.name)
     attributes: Attributes = {
@@ -66,8 +73,8 @@ def _add_body(writing: Writing, link: Link) -> None:
     inertial = inertial_of(writing, link)
     if inertial is not None:
         body.children.append(inertial)
-    if joint is not None:
-        add_joints(writing, joint, body)
+    for each, place in writing.plan.joints_of(link.name):
+        add_joints(writing, each, body, place)
     above = writing.sections["worldbody"] if parent is None else writing.bodies[parent]
     above.children.append(body)
 

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from ...diagnostics import Diagnostic
 from ...model.joint import FIXED, FLOATING, PLANAR, SINGLE
-from ...model.kinematics import WORLD
+from ...model.kinematics import WORLD, joint_transform
 from ...model.pose import IDENTITY, UNTURNED, quaternion_from_rotation
 from ...xml.tree import Element
 from ..elements import UsedNames, element
 from ..inertia import Inertias
 from ..losses import Losses
+from .blocks import ANCHOR, Blocks
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -38,7 +39,9 @@ class Plan:
     """Where each link of a robot is found in MJCF.
 
     A root named `world` is the world, if the robot is fixed. An empty link on a fixed joint is a
-    site, unless a sensor measures the force in the joint. Every other link is a body.
+    site, unless a sensor measures the force in the joint. A link without anything between two
+    joints is passed over, since MuJoCo takes no body without mass: the joints are two of one body.
+    Every other link is a body.
 
     Attributes:
         carriers: by the name of each link, the link whose body it is in; None for the world.
@@ -50,18 +53,24 @@ class Plan:
         free: of each link, by name, the one that is free in the world and moves it; None if a joint
             of the robot holds it there.
         world: the link that is the world, or None.
+        passed: of each link that is passed over, by name, the link below whose body has its
+            joint.
     """
 
     __slots__ = (
-        "_is_fixed", "_measured", "_robot", "bodies", "carriers", "free", "order", "poses", "sites",
-        "static", "world",
+        "_blocks", "_is_fixed", "_needed", "_robot", "bodies", "carriers", "free", "order",
+        "passed", "poses", "sites", "static", "world",
     )  # fmt: skip
 
-    def __init__(self, robot: Robot, *, is_fixed: bool) -> None:
+    def __init__(self, robot: Robot, blocks: Blocks, *, is_fixed: bool) -> None:
         """Sort the links of a robot, whose root is fixed in the world or not."""
         self._robot = robot
+        self._blocks = blocks
         self._is_fixed = is_fixed
-        self._measured = {each.joint for each in robot.sensors.values()}
+        self._needed = {each.joint for each in robot.sensors.values()}
+        self._needed |= {each.frame for each in robot.sensors.values()}
+        self._needed.update(frame for loop in robot.loops.values() for frame in loop.between)
+        self.passed: dict[str, str] = {}
         self.carriers: dict[str, str | None] = {}
         self.poses: dict[str, Pose] = {}
         self.static: dict[str, Pose] = {}
@@ -93,8 +102,13 @@ class Plan:
             self.free[name] = name if self.is_floating_in_world(joint) else self.free[joint.parent]
             if joint.type not in MOVING and joint.parent in self.static:
                 self.static[name] = self.static[joint.parent] @ joint.origin
+        below = self._passed_to(link, joint)
+        if below is not None:
+            self.passed[name] = below
+            return
         is_fixed = joint is not None and joint.type == FIXED
-        if joint is not None and is_fixed and link.is_empty and joint.name not in self._measured:
+        is_empty = link.is_empty and not self._blocks.is_body(name)
+        if joint is not None and is_fixed and is_empty and joint.name not in self._needed:
             self.carriers[name] = self.carriers[joint.parent]
             self.poses[name] = self.poses[joint.parent] @ joint.origin
             self.sites.append(name)
@@ -102,6 +116,41 @@ class Plan:
         self.carriers[name] = name
         self.poses[name] = IDENTITY
         self.bodies.append(name)
+
+    def _passed_to(self, link: Link, joint: Joint | None) -> str | None:
+        """Return the link below whose body has the joint of a link that is passed over.
+
+        Between a joint and a fixed one, a link is a body of its own, unless a block says where the
+        joint is in the body below.
+        """
+        if joint is None or joint.type not in SINGLE or not link.is_empty:
+            return None
+        below = self._robot.joints_below(link.name)
+        if len(below) != 1 or {link.name, joint.name, below[0].name} & self._needed:
+            return None
+        if not self._blocks.is_plain(link.name):
+            return None
+        is_anchored = ANCHOR in self._blocks.settings("joint", joint.name)
+        takes = below[0].type in SINGLE or (below[0].type == FIXED and is_anchored)
+        return below[0].child if takes else None
+
+    def joints_of(self, link: str) -> list[tuple[Joint, Pose]]:
+        """Return the joints of the body of a link, from the first, each with T_link_joint.
+
+        The pose is that at the positions that count as unmoved, at which each joint adds nothing.
+        """
+        found: list[tuple[Joint, Pose]] = []
+        joint, pose = self._robot.parent_joint(link), IDENTITY
+        while joint is not None:
+            found.append((joint, pose))
+            pose = pose @ self.unmoved(joint).inverse()
+            joint = self._robot.parent_joint(joint.parent) if joint.parent in self.passed else None
+        return found[::-1]
+
+    def unmoved(self, joint: Joint) -> Pose:
+        """Return T_parent_child of a joint at the position that counts as unmoved."""
+        reference = self._blocks.reference(joint.name) if joint.type in SINGLE else 0.0
+        return joint_transform(joint, reference) if reference else joint.origin
 
     def is_floating_in_world(self, joint: Joint) -> bool:
         """Return whether a joint lets a link go in the world: MJCF has it nowhere else."""
@@ -117,7 +166,12 @@ class Plan:
             return None, IDENTITY
         if self.is_floating_in_world(joint):
             return None, self.static[joint.parent] @ joint.origin
-        return self.carriers[joint.parent], self.poses[joint.parent] @ joint.origin
+        pose = self.unmoved(joint)
+        while joint.parent in self.passed:
+            above = self._robot.parent_joint(joint.parent)
+            assert above is not None, "it is passed by its joint"
+            joint, pose = above, self.unmoved(above) @ pose
+        return self.carriers[joint.parent], self.poses[joint.parent] @ pose
 
 
 def stem_of(link: str) -> str:
@@ -167,19 +221,22 @@ class Writing:
         sections: the sections of the document, by name.
         losses: what MJCF cannot hold.
         files: what belongs beside the document.
+        blocks: what the file says for MJCF alone.
+        joints: by the name of each joint, the elements that it is.
         errors: why there is no document.
         motions: of each joint in MJCF, by name, the joint that it is and which part of it; for the
             free joint of a root, that link and `base`.
-        controls: the joint and the command of each actuator.
+        controls: the joint and the command of each actuator that is made of one, by the identity of
+            its element.
         measured: the sensor of the robot that each one in MJCF is of, by its name.
         collisions: what collides: the link, the collision, and of a mesh the outer corners.
         solids: the same at home, once it is worked out.
     """
 
     __slots__ = (
-        "_body_names", "bodies", "classes", "collisions", "controls", "errors", "files", "inertias",
-        "losses", "measured", "model", "motions", "names", "plan", "robot", "sections", "solids",
-        "wanted",
+        "_body_names", "blocks", "bodies", "classes", "collisions", "controls", "errors", "files",
+        "inertias", "joints", "losses", "measured", "model", "motions", "names", "plan", "robot",
+        "sections", "solids", "wanted",
     )  # fmt: skip
 
     def __init__(self, robot: Robot, wanted: Wanted) -> None:
@@ -187,15 +244,22 @@ class Writing:
         self.wanted = wanted
         self.model = robot.name or wanted.name
         self.classes = Classes(self.model)
-        self.controls: list[tuple[str, str]] = []
+        self.controls: dict[int, tuple[str, str]] = {}
+        self.joints: dict[str, list[Element]] = {}
         self.collisions: list[tuple[Link, Collision, Sequence[Vector]]] = []
         self.solids: list[Solid] | None = None
         self.motions: dict[str, tuple[str, str]] = {}
         self.measured: dict[str, str] = {}
-        self.plan = Plan(robot, is_fixed=wanted.is_fixed)
+        self.blocks = Blocks(robot)
+        self.plan = Plan(robot, self.blocks, is_fixed=wanted.is_fixed)
         self.sections = {name: element(name, owner=robot.element) for name in SECTIONS}
         self.bodies: dict[str, Element] = {}
-        self.inertias = Inertias(robot, is_fixed=wanted.is_fixed, repairs=wanted.repairs_inertia)
+        self.inertias = Inertias(
+            robot,
+            is_fixed=wanted.is_fixed,
+            repairs=wanted.repairs_inertia,
+            passed=self.plan.passed,
+        )
         self.losses = Losses(self.inertias.losses)
         self.files: dict[str, bytes] = {}
         self.errors: list[Diagnostic] = list(self.inertias.errors)
@@ -211,11 +275,22 @@ class Writing:
         """Append an element to a section."""
         self.sections[section].children.append(element)
 
+    def joint_name(self, joint: str) -> str:
+        """Return the name of a joint of one number."""
+        return self.blocks.text("joint", joint, "name") or joint
+
+    def site_name(self, link: str) -> str:
+        """Return the name of the site that a link is."""
+        return self.blocks.text("link", link, "name") or link
+
     def body_name(self, link: str) -> str:
         """Return the name of the body that a link is, or is part of."""
         carrier = self.plan.carriers[link]
         if carrier is None:
             return WORLD
+        own = self.blocks.text("link", carrier, "name")
+        if own is not None:
+            return own
         if carrier != WORLD:
             return carrier
         if carrier not in self._body_names:
@@ -255,15 +330,16 @@ class Places:
 
 def pose_attributes(pose: Pose) -> Attributes:
     """Return `pos` and `quat` of a pose, w first, each None if it changes nothing."""
-    position = [_quiet(part) for part in pose.position]
+    position = [quiet(part) for part in pose.position]
     turn: list[float] = []
     if pose.rotation != UNTURNED:
-        turn = [_quiet(part) for part in quaternion_from_rotation(pose.rotation)]
+        turn = [quiet(part) for part in quaternion_from_rotation(pose.rotation)]
     return {
         "pos": position if any(position) else None,
         "quat": turn if any(turn[1:]) else None,
     }
 
 
-def _quiet(value: float) -> float:
+def quiet(value: float) -> float:
+    """Return a number, or 0 for what comes from rounding."""
     return value if abs(value) > NOISE else 0.0

@@ -6,6 +6,7 @@ from math import atan, cos, degrees, sin, tan
 
 from ...model.extras import CAMERAS, Camera, Lidar, Ranger
 from ...model.pose import IDENTITY, Pose
+from ...model.values import attribute_text
 from ..elements import element, row
 from ..holding import lost_of_sensor
 from .model import CAMERA, SENSOR, SITE, Writing, pose_attributes
@@ -29,11 +30,27 @@ IMU_PARTS = {
     "gyro": "angular_velocity",
     "accelerometer": "linear_acceleration",
 }
+WORDS = {
+    "imu": ("framequat", *IMU_PARTS),
+    "force_torque": ("force", "torque"),
+    "magnetometer": ("magnetometer",),
+    "gps": ("framepos",),
+    "contact": ("touch",),
+    "range": ("rangefinder",),
+    "lidar": ("rangefinder",),
+}
+"""The sensors of MuJoCo that each type is made of."""
 
 
 def add_sensors(writing: Writing) -> None:
     """Append the sensors, with the sites and cameras that they measure with."""
     for sensor in writing.robot.sensors.values():
+        given = _given(writing, sensor)
+        if given:
+            for each in given:
+                writing.measured[attribute_text(each, "name") or ""] = sensor.name
+            writing.losses += lost_of_sensor(sensor, "mjcf")
+            continue
         if sensor.joint is not None:
             _force_torque(writing, sensor)
         elif sensor.frame in writing.plan.carriers:
@@ -42,6 +59,29 @@ def add_sensors(writing: Writing) -> None:
             writing.losses.lose("sensors in frames that are not there", sensor)
             continue
         writing.losses += lost_of_sensor(sensor, "mjcf")
+
+
+def _given(writing: Writing, sensor: Sensor) -> list[Element]:
+    """Return what a block says itself that MuJoCo measures for a sensor."""
+    words, plan = WORDS.get(sensor.type, ()), writing.plan
+    given = [each for each in writing.blocks.in_section("sensor") if each.name in words]
+    if not given:
+        return []
+    frame = sensor.frame
+    if sensor.joint is not None:
+        joint = writing.robot.joints.get(sensor.joint)
+        frame = joint.child if joint is not None else None
+    if frame not in plan.carriers:
+        return []
+    places = {sensor.name, writing.site_name(frame)}
+    if sensor.joint is not None or sensor.type == "contact":  # at any site of the body
+        carrier = plan.carriers[frame]
+        places |= {writing.site_name(each) for each in plan.sites if plan.carriers[each] == carrier}
+    return [
+        each
+        for each in given
+        if (attribute_text(each, "site") or attribute_text(each, "objname")) in places
+    ]
 
 
 def _in_link(writing: Writing, sensor: Sensor) -> None:
@@ -206,7 +246,7 @@ def _site_of(writing: Writing, sensor: Sensor) -> str:
     frame = sensor.frame
     assert frame is not None
     if frame in writing.plan.sites and sensor.pose == IDENTITY:
-        return frame
+        return writing.site_name(frame)
     return _new_site(writing, sensor, sensor.name, frame, {}, _pose_of(writing, sensor))
 
 

@@ -31,27 +31,59 @@ def add_geoms(writing: Writing, looks: Looks) -> None:
     """
     surfaces = {(each.link, each.index): each for each in writing.robot.surfaces}
     for link in writing.plan.order:
+        if link.name in writing.plan.passed:
+            continue
         body = writing.body_of(link.name)
+        given = writing.blocks.geoms(link.name)
+        colliding = {each.name for each in link.collisions}
+        both: dict[str, Visual] = {}
         for visual in link.visuals:
-            look = looks.of_visual(link, visual)
-            if isinstance(visual.shape, Mesh):
-                parts = looks.visual_mesh(link, visual, visual.shape, look)
+            if visual.name in given & colliding:
+                both[visual.name] = visual
             else:
-                sizes = _sizes(writing, link, visual)
-                parts = [{**sizes, **look}] if sizes is not None else []
-            name = visual.name or f"{stem_of(link.name)}_visual"
-            body.children += [
-                _geom(writing, link, visual, name, writing.classes.visual, part) for part in parts
-            ]
+                is_one = visual.name in given
+                body.children += _visual(writing, link, visual, looks, is_one=is_one)
         for index, collision in enumerate(link.collisions):
             surface = surfaces.get((link.name, index))
-            body.children += _collision(writing, link, collision, surface, looks)
+            look: Attributes = {}
+            if collision.name in both:
+                look = looks.of_visual(link, both[collision.name])
+            body.children += _collision(writing, link, collision, surface, looks, look)
+
+
+def _visual(
+    writing: Writing, link: Link, visual: Visual, looks: Looks, *, is_one: bool
+) -> list[Element]:
+    """Return the geoms of a visual, of which a mesh has one for each of its materials.
+
+    One that a block names is one geom.
+    """
+    look = looks.of_visual(link, visual)
+    parts: list[Attributes]
+    if not isinstance(visual.shape, Mesh):
+        sizes = _sizes(writing, link, visual)
+        parts = [{**sizes, **look}] if sizes is not None else []
+    elif is_one:
+        whole = looks.whole_mesh(link, visual, visual.shape)
+        parts = [{**whole, **look}] if whole is not None else []
+    else:
+        parts = looks.visual_mesh(link, visual, visual.shape, look)
+    name = visual.name or f"{stem_of(link.name)}_visual"
+    return [_geom(writing, link, visual, name, writing.classes.visual, part) for part in parts]
 
 
 def _collision(
-    writing: Writing, link: Link, collision: Collision, surface: Surface | None, looks: Looks
+    writing: Writing,
+    link: Link,
+    collision: Collision,
+    surface: Surface | None,
+    looks: Looks,
+    look: Attributes,
 ) -> list[Element]:
-    """Return the geom of a collision, or none if MJCF cannot hold its shape."""
+    """Return the geom of a collision, or none if MJCF cannot hold its shape.
+
+    It has a `look` where it is seen as well.
+    """
     shape = collision.shape
     part: Attributes | None
     points: Sequence[Vector] = ()
@@ -66,6 +98,7 @@ def _collision(
     if part is None:
         return []
     writing.collisions.append((link, collision, points))
+    part |= look
     if surface is not None:
         part |= surface_attributes(writing, link, surface)
     name = collision.name or f"{stem_of(link.name)}_collision"

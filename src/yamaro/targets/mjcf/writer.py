@@ -2,16 +2,29 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from ...diagnostics import YamaroError
-from ...model.joint import FLOATING, PLANAR, SINGLE
+from ...model.joint import FLOATING, PLANAR
+from ...model.values import attribute_text
 from ...xml.tree import Element
-from ...xml.values import format_value
 from ..elements import element
-from ..foreign_xml import RawXmlOf, foreign_losses, settings_in
+from ..foreign_xml import foreign_losses
 from ..holding import cones, lost_of_joints, lost_sections, renamed_sensors
 from ..output import FOLDER, Output
 from ..table import TARGETS
-from .assets import Looks
+from .assets import Looks, with_files
+from .blocks import (
+    ACTUATORS,
+    ANCHOR,
+    SINGLES,
+    changed,
+    merge,
+    merged,
+    same_joint,
+    same_name,
+    set_from,
+)
 from .constraints import add_excludes, add_loops, add_mimics
 from .control import add_actuators, add_keyframes
 from .links import add_bodies, put_on_floor, sort_bodies
@@ -22,6 +35,9 @@ from .shapes import add_geoms
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from ...model.link import Link
     from ...model.robot import Robot
     from ...xml.tree import Element
     from ..elements import Attributes
@@ -44,9 +60,9 @@ def write(robot: Robot, wanted: Wanted) -> Output:
     add_excludes(writing)
     add_mimics(writing)
     add_loops(writing)
-    raw = add_raw(writing)
+    top = merge_blocks(writing)
     sort_bodies(writing)
-    add_keyframes(writing, raw)
+    add_keyframes(writing)
     planes = (PLANAR, FLOATING)
     writing.losses += lost_of_joints(robot, "mjcf", has_dynamics=planes, bounded=bounded)
     writing.losses += renamed_sensors(robot)
@@ -55,8 +71,8 @@ def write(robot: Robot, wanted: Wanted) -> Output:
     writing.losses += foreign_losses(robot)
     if writing.errors:
         raise YamaroError(writing.errors)
-    sections = [each for each in writing.sections.values() if each.children]
-    children = [*head(writing), *sections, *raw]
+    top += [each for each in writing.sections.values() if each.children]
+    children = sorted(top, key=lambda each: RANKS.get(each.name, len(RANKS)))
     root = element("mujoco", {"model": writing.model}, children=children, owner=robot.element)
     file_name = wanted.file_name or f"{wanted.name}.xml"
     files = {TARGETS["mjcf"].beside[0]: scene(writing, file_name), **writing.files}
@@ -117,37 +133,104 @@ def head(writing: Writing) -> list[Element]:
 
 # --- the XML that a file holds for MJCF -------------------------------------------------------
 
-
-def add_raw(writing: Writing) -> list[Element]:
-    """Append the XML for bodies and joints; return that for the model."""
-    raw = RawXmlOf(writing.robot, "mjcf")
-    for link in writing.plan.order:
-        settings, rest = settings_in(raw.in_link(link.name))
-        body = writing.body_of(link.name)
-        if link.name in writing.plan.sites and rest:
-            attributes = pose_attributes(writing.plan.poses[link.name])
-            body.children.append(element("frame", attributes, children=rest, owner=link))
-        else:
-            body.children += rest
-        _set(body, settings)
-    for name, joint in writing.robot.joints.items():
-        if joint.type in SINGLE and joint.child in writing.bodies:
-            for each in writing.bodies[joint.child].elements():
-                if each.name in JOINTS and each.attributes.get("name") == name:
-                    settings, rest = settings_in(raw.in_joint(name))
-                    _set(each, settings)
-                    each.children += rest
-                    break
-    writing.losses += raw.left()
-    return raw.robot
+ORDER = (
+    *("compiler", "option", "size", "visual", "statistic", "default", "custom", "extension"),
+    *("asset", "worldbody", "deformable", "contact", "tendon", "equality", "actuator", "sensor"),
+    "keyframe",
+)  # fmt: skip
+"""The usual order of the sections of a document."""
+RANKS = {name: rank for rank, name in enumerate(ORDER)}
 
 
-def _set(element: Element, settings: dict[str, Element]) -> None:
-    """Set attributes that are given as elements."""
-    if not settings:
+def merge_blocks(writing: Writing) -> list[Element]:
+    """Merge the blocks of the file into what is written; return the sections besides ours."""
+    blocks, plan = writing.blocks, writing.plan
+    written: set[tuple[str, str]] = set()
+    for link in plan.order:
+        if link.name not in plan.passed:
+            written.add(("link", link.name))
+            _merge_link(writing, link)
+    driving: list[Element] = []
+    for name, elements in writing.joints.items():
+        if elements:
+            written.add(("joint", name))
+        of_all = dict(blocks.settings("joint", name))
+        if len(elements) == 1:
+            of_all.pop(ANCHOR, None)  # which is worked out
+        of_all.pop("name", None)
+        rest = []
+        for each in blocks.elements("joint", name):
+            if each.name in ACTUATORS:
+                own = {"name": each.attributes.get("name"), "joint": writing.joint_name(name)}
+                driving.append(changed(each, {**own, **each.attributes}))
+            else:
+                rest.append(each)
+        for each in elements:
+            set_from(each, of_all)
+            each.children += rest
+    actuators = writing.sections["actuator"]
+    actuators.children = merged(actuators.children, driving, same_joint)
+    writing.losses += blocks.left(written)
+    return _merge_sections(writing)
+
+
+def _merge_link(writing: Writing, link: Link) -> None:
+    blocks, plan = writing.blocks, writing.plan
+    settings = blocks.settings("link", link.name)
+    elements = [with_files(writing, each) for each in blocks.elements("link", link.name)]
+    if not settings and not elements:
         return
-    places = {name: element.value_span(name) for name in element.attributes}
-    for name, setting in settings.items():
-        element.attributes[name] = format_value(setting.text()).strip()
-        places[name] = setting.span
-    element.value_spans = places
+    body = writing.body_of(link.name)
+    is_site = link.name in plan.sites
+    target = body
+    if is_site:
+        name = writing.site_name(link.name)
+        sites = [each for each in body.elements() if each.name == "site"]
+        target = next(each for each in sites if each.attributes["name"] == name)
+    set_from(target, settings)
+    new = [each for each in elements if not is_site or same_name(each, body.elements()) is None]
+    if is_site and new:
+        attributes = pose_attributes(plan.poses[link.name])
+        body.children.append(element("frame", attributes, children=new, owner=link))
+        elements = [each for each in elements if not any(each is other for other in new)]
+    body.children = merged(body.children, elements, partial(_same_in_body, writing))
+
+
+def _same_in_body(writing: Writing, given: Element, own: Sequence[Element]) -> Element | None:
+    """Return what a block's element in a body names: the free joint of the body, or by its name."""
+    is_free = given.name == "freejoint" or attribute_text(given, "type") == "free"
+    if given.name in JOINTS and is_free:
+        for each in own:
+            if each.name == "freejoint" or attribute_text(each, "type") == "free":
+                old, new = attribute_text(each, "name"), attribute_text(given, "name")
+                each.name = given.name
+                if old in writing.motions and new is not None:
+                    writing.motions[new] = writing.motions.pop(old)
+                return each
+    if given.name == "inertial":
+        return next((each for each in own if each.name == "inertial"), None)
+    return same_name(given, own)
+
+
+def _merge_sections(writing: Writing) -> list[Element]:
+    """Merge the sections of blocks into ours; return our head, and those besides ours."""
+    sections = [with_files(writing, each) for each in writing.blocks.sections]
+    top = head(writing)
+    for given in sections:
+        own = writing.sections.get(given.name)
+        if given.name == "keyframe":  # once it is known which joints there are
+            continue
+        if given.name in SINGLES:
+            own = next((each for each in top if each.name == given.name), None)
+            if own is None:
+                top.append(changed(given, given.attributes))
+            else:
+                merge(own, given)
+        elif own is None:
+            top.append(given)
+        else:
+            match = same_joint if given.name == "actuator" else same_name
+            trace = given.trace_within(None)
+            inner = [each.settled(trace) for each in given.elements()]
+            own.children = merged(own.children, inner, match)
+    return top

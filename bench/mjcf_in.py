@@ -1,0 +1,228 @@
+"""Reads MJCF, writes it as MJCF again, and has MuJoCo judge whether it is still the same.
+
+    python bench/mjcf_in.py FOLDER ... [--only REGEX] [--every N] [--show N] [--fields] [--jobs N]
+                            [--seconds N] [--keep FOLDER] [--migrate] [--table FILE]
+
+Of every MJCF in the folders that MuJoCo compiles as it is, what Yamaro writes is compiled too, and
+compared by name at 20 random states: the numbers of positions, velocities and controls, bodies'
+inertia in a common frame, mass matrix, bias, passive and actuator forces, what sensors measure,
+poses of sites. A model is `equal` if all differences are below 1e-9 of the greatest value; `told`
+if it differs and something but notes on shapes was reported; `silent` if it differs and nothing
+was; `fails` if nothing was written or MuJoCo refuses it. `--fields` also counts other values of
+models that differ, such as friction of geoms. `--migrate` goes through `yamaro migrate` and a
+build of the YAML.
+"""
+
+from __future__ import annotations
+
+import argparse
+import re
+import signal
+import sys
+import tempfile
+import time
+import traceback
+from collections import Counter, defaultdict
+from collections.abc import Iterator
+from multiprocessing import Pool
+from pathlib import Path
+
+ROOT = Path(__file__).parents[1]
+sys.path.insert(0, str(ROOT))
+
+import mujoco  # noqa: E402 - after the path
+
+import yamaro  # noqa: E402
+from tests.targets.same_mjcf import Comparison  # noqa: E402
+
+EQUAL, TOLD, SILENT, FAILS = "equal", "told", "silent", "fails"
+HARMLESS = re.compile("hulls|colours of|textures|materials of meshes|meshes without triangles")
+"""Losses that no number which is compared can show."""
+
+
+class Verdict:
+    """What was found for a model.
+
+    Attributes:
+        path: its file.
+        kind: EQUAL, TOLD, SILENT or FAILS.
+        why: what differs or failed.
+        told: what was reported.
+        fields: further values that differ.
+        seconds: how long MuJoCo's compiler and how long Yamaro took.
+    """
+
+    def __init__(self, path: str, kind: str, why: str) -> None:
+        self.path = path
+        self.kind = kind
+        self.why = why
+        self.told: list[str] = []
+        self.fields: dict[str, str] = {}
+        self.seconds = (0.0, 0.0)
+
+
+def models(folders: list[Path]) -> Iterator[Path]:
+    """Yield the files of MJCF in folders."""
+    for folder in folders:
+        for path in [folder] if folder.is_file() else sorted(folder.rglob("*.xml")):
+            if b"<mujoco" in path.read_bytes():
+                yield path
+
+
+def compiled(path: str) -> float | None:
+    """Return how long MuJoCo compiles a file, or None if it does not."""
+    start = time.process_time()
+    try:
+        mujoco.MjModel.from_xml_path(path)
+    except (ValueError, RuntimeError):
+        return None
+    return time.process_time() - start
+
+
+def judge(job: tuple[str, bool, int, str]) -> Verdict | None:
+    """Return what is found for a file; None if MuJoCo does not compile it as it is."""
+    path, migrates, seconds, keep = job
+    signal.signal(signal.SIGALRM, _too_long)
+    signal.alarm(seconds)
+    try:
+        return _judge(path, migrates, keep)
+    except _TooLongError:
+        return Verdict(path, FAILS, f"takes more than {seconds} s")
+    except Exception as error:  # of any kind: this is a report
+        where = traceback.extract_tb(error.__traceback__)[-1]
+        place = f"{Path(where.filename).name}:{where.lineno}"
+        return Verdict(path, FAILS, f"traceback: {type(error).__name__}: {error} at {place}"[:300])
+    finally:
+        signal.alarm(0)
+
+
+class _TooLongError(Exception):
+    pass
+
+
+def _too_long(*_: object) -> None:
+    raise _TooLongError
+
+
+def _judge(path: str, migrates: bool, keep: str) -> Verdict | None:
+    own = compiled(path)
+    if own is None:
+        return None
+    with tempfile.TemporaryDirectory() as folder:
+        start = time.process_time()
+        made = Path(keep or folder) / "made.xml"
+        source = Path(path)
+        if migrates:
+            source = _migrated(source, Path(folder))
+        try:
+            build = yamaro.build(source, target="mjcf", output=made)
+        except yamaro.YamaroError as error:
+            first = error.diagnostics[0]
+            return Verdict(path, FAILS, f"{first.code}: {first.message}")
+        made.parent.mkdir(parents=True, exist_ok=True)
+        made.write_text(build.xml(), encoding="utf-8")
+        for name, data in build.assets.items():
+            (made.parent / name).parent.mkdir(parents=True, exist_ok=True)
+            (made.parent / name).write_bytes(data)
+        took = time.process_time() - start
+        try:
+            comparison = Comparison(path, str(made))
+        except ValueError as error:
+            text = re.sub(r"\s+", " ", str(error))
+            return Verdict(path, FAILS, f"MuJoCo refuses: {text}")
+        told = [f"{each.kind} {each.what}" for each in build.losses]
+        told += [f"{each.code}" for each in build.warnings if "-in-" not in each.code]
+        kind = EQUAL
+        if comparison.found:
+            serious = [each for each in told if not HARMLESS.search(each)]
+            kind = TOLD if serious else SILENT
+        why = "; ".join(f"{what}: {how}" for what, how in comparison.found.items())
+        verdict = Verdict(path, kind, why)
+        verdict.told, verdict.fields = list(dict.fromkeys(told)), comparison.fields
+        verdict.seconds = (own, took)
+        return verdict
+
+
+def _migrated(source: Path, folder: Path) -> Path:
+    from yamaro.commands.main import main
+
+    made = folder / f"{source.stem}.yaml"
+    code = main(["migrate", str(source), "-o", str(made)])
+    if code not in (0, None):
+        raise RuntimeError(f"migrate ended with {code}")
+    return made
+
+
+def show(verdicts: list[Verdict], options: argparse.Namespace) -> None:
+    """Print the table of folders, then the causes, most frequent first."""
+    table: dict[str, Counter[str]] = defaultdict(Counter)
+    roots = [str(each) for each in options.folders]
+    for each in verdicts:
+        root = next(root for root in roots if each.path.startswith(root))
+        inner = Path(each.path).relative_to(root).parts
+        table[f"{Path(root).name}/{inner[0]}" if len(inner) > 1 else Path(root).name][
+            each.kind
+        ] += 1
+    kinds = (EQUAL, TOLD, SILENT, FAILS)
+    print(f"{'':40}{'models':>8}" + "".join(f"{kind:>8}" for kind in kinds))
+    total: Counter[str] = Counter()
+    for name, counts in table.items():
+        print(f"{name:40}{counts.total():8}" + "".join(f"{counts[kind]:8}" for kind in kinds))
+        total += counts
+    print(f"{'all':40}{total.total():8}" + "".join(f"{total[kind]:8}" for kind in kinds))
+    for kind in (FAILS, SILENT, TOLD):
+        causes: dict[str, list[Verdict]] = defaultdict(list)
+        for each in verdicts:
+            if each.kind == kind:
+                causes[_cause(each)].append(each)
+        for cause, group in sorted(causes.items(), key=lambda item: -len(item[1])):
+            print(f"\n{kind}, {len(group)}: {cause}")
+            for each in group[: options.show]:
+                print(f"    {each.path}: {each.why[:300]}")
+                if kind == TOLD:
+                    print(f"        told: {', '.join(each.told)[:300]}")
+    if options.fields:
+        found: dict[str, list[tuple[str, str]]] = defaultdict(list)
+        for each in verdicts:
+            for name, how in each.fields.items():
+                found[name].append((each.path, how))
+        print("\nother values that differ:")
+        for name, cases in sorted(found.items(), key=lambda item: -len(item[1])):
+            print(f"  {name} in {len(cases)} models, such as {cases[0][0]}: {cases[0][1]}")
+
+
+def _cause(verdict: Verdict) -> str:
+    if verdict.kind == FAILS:
+        return re.sub(r"'[^']*'|[\d.e-]+", "…", verdict.why)[:100]
+    return ", ".join(part.split(":")[0] for part in verdict.why.split("; "))
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("folders", nargs="+", type=Path)
+    parser.add_argument("--only", default="")
+    parser.add_argument("--every", type=int, default=1)
+    parser.add_argument("--show", type=int, default=3)
+    parser.add_argument("--fields", action="store_true")
+    parser.add_argument("--migrate", action="store_true")
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--seconds", type=int, default=60)
+    parser.add_argument("--keep", default="", help="where what is written of one model stays")
+    parser.add_argument("--table", type=Path, help="a file for one line a model")
+    options = parser.parse_args()
+    paths = [str(each) for each in models(options.folders) if re.search(options.only, str(each))]
+    jobs = [
+        (path, options.migrate, options.seconds, options.keep) for path in paths[:: options.every]
+    ]
+    with Pool(options.jobs, maxtasksperchild=20) as pool:
+        verdicts = [each for each in pool.imap(judge, jobs) if each is not None]
+    if options.table:
+        lines = [
+            f"{each.path}\t{each.kind}\t{each.why}\t{', '.join(each.told)}" for each in verdicts
+        ]
+        options.table.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    show(verdicts, options)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,245 @@
+"""What a file says for MJCF alone, in blocks: values and elements, merged into what is written.
+
+A block in a joint or link holds attributes of the joint, body or site that is written for it, as
+elements with a text in them, and elements in it. One for the robot holds sections of the document.
+Where it names what is written anyway, such as a geom or the actuator of a joint, its attributes are
+set on that, and it keeps its place among what the block names; else it is added.
+"""
+
+from __future__ import annotations
+
+from ...model.values import attribute_text, numbers_in
+from ...xml.tree import Element
+from ...xml.values import format_value
+from ..foreign_xml import elements_of, settings_in
+from ..losses import Losses
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Container, Iterable, Sequence
+
+    from ...model.extras import RawXml
+    from ...model.robot import Robot
+    from ...xml.tree import Node
+
+    Pairs = list[tuple[Element, Element | None]]
+
+OF_BODIES = frozenset(("gravcomp", "mocap", "sleep"))
+"""Attributes that only a body has: a link that says one is not a site."""
+ANCHOR, REFERENCE = "pos", "ref"
+"""Attributes of a joint: where it is in its body, and the position that counts as unmoved."""
+ACTUATORS = frozenset(
+    """
+    general motor position velocity intvelocity damper cylinder muscle adhesion dcmotor plugin
+    """.split()
+)
+"""The elements of the section `actuator`."""
+SINGLES = frozenset(("compiler", "option", "size", "statistic", "visual"))
+"""Sections that are there once, with elements that are there once in them."""
+ENDS = frozenset(("joint1", "tendon1", "body1", "geom1", "site1", "flex"))
+"""Attributes of equalities that say what they hold; without one, an equality is tuned only."""
+
+
+class Blocks:
+    """The blocks of a robot for MJCF.
+
+    Attributes:
+        sections: those of the document, in the order written.
+    """
+
+    __slots__ = ("_actuators", "_blocks", "_elements", "_inner", "_settings", "sections")
+
+    def __init__(self, robot: Robot) -> None:
+        self._blocks: dict[tuple[str, str], list[RawXml]] = {}
+        self.sections: list[Element] = []
+        for raw in robot.raw("mjcf"):
+            if raw.link is not None:
+                self._blocks.setdefault(("link", raw.link), []).append(raw)
+            elif raw.joint is not None:
+                self._blocks.setdefault(("joint", raw.joint), []).append(raw)
+            else:
+                self.sections += elements_of(raw)
+        self._settings: dict[tuple[str, str], dict[str, Element]] = {}
+        self._elements: dict[tuple[str, str], list[Element]] = {}
+        for home, blocks in self._blocks.items():
+            found = [each for raw in blocks for each in elements_of(raw)]
+            self._settings[home], self._elements[home] = settings_in(found)
+        self._inner: dict[str, list[Element]] = {}
+        for section in self.sections:
+            trace = section.trace_within(None)
+            inner = [child.settled(trace) for child in section.elements()]
+            self._inner.setdefault(section.name, []).extend(inner)
+        self._actuators: dict[tuple[str, str], Element] = {}
+        for (kind, name), elements in self._elements.items():
+            for each in elements if kind == "joint" else ():
+                if each.name in ACTUATORS:
+                    self._actuators.setdefault((name, ""), each)
+        for each in self._inner.get("actuator", ()):
+            self._actuators.setdefault((attribute_text(each, "joint") or "", each.name), each)
+
+    def left(self, written: Container[tuple[str, str]]) -> Losses:
+        """Return the losses of blocks whose home is not written: a `link` or `joint`, by name."""
+        found = Losses()
+        what, hint = "blocks in what is not an element", "write the block in another link or joint"
+        for home, blocks in self._blocks.items():
+            if home not in written:
+                for raw in blocks:
+                    found.lose(what, raw, label=f"{home[0]} '{home[1]}'", hint=hint)
+        return found
+
+    def settings(self, kind: str, name: str) -> dict[str, Element]:
+        """Return the attributes for a `link` or `joint`, as elements with a text."""
+        return self._settings.get((kind, name), {})
+
+    def elements(self, kind: str, name: str) -> list[Element]:
+        """Return the elements for a `link` or `joint`."""
+        return self._elements.get((kind, name), [])
+
+    def text(self, kind: str, name: str, attribute: str) -> str | None:
+        """Return an attribute for a `link` or `joint`, or None."""
+        found = self.settings(kind, name).get(attribute)
+        return None if found is None else format_value(found.text()).strip()
+
+    def reference(self, joint: str) -> float:
+        """Return the position of a joint that counts as unmoved."""
+        numbers = numbers_in(self.text("joint", joint, REFERENCE) or "")
+        return numbers[0] if len(numbers) == 1 else 0.0
+
+    def is_body(self, link: str) -> bool:
+        """Return whether a block says of a link what only a body has."""
+        return not OF_BODIES.isdisjoint(self.settings("link", link))
+
+    def is_plain(self, link: str) -> bool:
+        """Return whether no block says anything of a link."""
+        return not self.settings("link", link) and not self.elements("link", link)
+
+    def geoms(self, link: str) -> set[str]:
+        """Return the names of the geoms that a block names in a link."""
+        names = (attribute_text(e, "name") for e in self.elements("link", link) if e.name == "geom")
+        return {name for name in names if name is not None}
+
+    def has(self, section: str) -> bool:
+        """Return whether a block has a section of the document."""
+        return section in self._inner
+
+    def in_section(self, section: str) -> list[Element]:
+        """Return the elements of a section, of all blocks that have it, in the order written."""
+        return self._inner.get(section, [])
+
+    def actuator_of(self, joint: str, word: str) -> Element | None:
+        """Return the first actuator that the block of a joint gives it; None for none.
+
+        Or one of the same word that a block of the robot gives it: there, others are further ones.
+        """
+        return self._actuators.get((joint, "")) or self._actuators.get((joint, word))
+
+    def equality_of(self, name: str, follower: str | None = None) -> bool:
+        """Return whether a block has an equality of this name whole, or that of a follower."""
+        for each in self.in_section("equality"):
+            if follower is not None and each.name == "joint":
+                if attribute_text(each, "joint1") == follower:
+                    return True
+            elif attribute_text(each, "name") == name and not ENDS.isdisjoint(each.attributes):
+                return True
+        return False
+
+
+def set_from(element: Element, settings: dict[str, Element]) -> None:
+    """Set attributes that are given as elements with a text."""
+    if not settings:
+        return
+    spans = {name: element.value_span(name) for name in element.attributes}
+    for name, setting in settings.items():
+        element.attributes[name] = format_value(setting.text()).strip()
+        spans[name] = setting.span
+    element.value_spans = spans
+
+
+def merge(own: Element, given: Element) -> None:
+    """Set the attributes that a block gives; add its elements, or set those of the same name."""
+    spans = {name: own.value_span(name) for name in own.attributes}
+    spans.update((name, given.value_span(name)) for name in given.attributes)
+    own.attributes = {**own.attributes, **given.attributes}
+    own.value_spans = spans
+    inner = {child.name: child for child in own.elements()}
+    for child in given.elements():
+        if own.name in SINGLES and child.name in inner:
+            merge(inner[child.name], child)
+        else:
+            own.children.append(child)
+
+
+def merged(
+    own: Iterable[Node],
+    given: Sequence[Element],
+    match: Callable[[Element, Sequence[Element]], Element | None],
+) -> list[Node]:
+    """Return elements that are written, with those of blocks merged into them or added.
+
+    What blocks name is in their order, at the places that this has among the others. What they
+    add follows what they name before it.
+
+    Args:
+        own: what is written.
+        given: what blocks say.
+        match: returns the one of some elements that a block's element names, or None.
+    """
+    found = list(own)
+    free = [node for node in found if isinstance(node, Element)]
+    pairs: Pairs = []
+    for each in given:
+        same = match(each, free)
+        pairs.append((each, same))
+        if same is not None:
+            free = [node for node in free if node is not same]
+            merge(same, each)
+    named = [same for _, same in pairs if same is not None]
+    identities = {id(each) for each in named}
+    places = [index for index, node in enumerate(found) if id(node) in identities]
+    for index, same in zip(places, named, strict=True):
+        found[index] = same
+    first = True
+    last: Element | None = None
+    for each, same in pairs:
+        if same is not None:
+            last = same
+            continue
+        if last is not None:
+            at = next(index for index, node in enumerate(found) if node is last) + 1
+        elif first and named:
+            at = places[0]
+        else:
+            at = len(found)
+        found.insert(at, each)
+        last, first = each, False
+    return found
+
+
+def changed(element: Element, attributes: dict[str, object]) -> Element:
+    """Return an element of a block with other attributes, which may be changed."""
+    copy = element.with_children(list(element.children))
+    copy.attributes = attributes
+    copy.value_spans = {name: element.value_span(name) for name in element.attributes}
+    return copy
+
+
+def same_name(given: Element, own: Sequence[Element]) -> Element | None:
+    """Return the element of the same word and name, or None."""
+    name = attribute_text(given, "name")
+    if name is None:
+        return None
+    for each in own:
+        if each.name == given.name and attribute_text(each, "name") == name:
+            return each
+    return None
+
+
+def same_joint(given: Element, own: Sequence[Element]) -> Element | None:
+    """Return the actuator of the same word for the same joint, or of the same name."""
+    joint = attribute_text(given, "joint")
+    if joint is None:
+        return same_name(given, own)
+    for each in own:
+        if each.name == given.name and attribute_text(each, "joint") == joint:
+            return each
+    return None

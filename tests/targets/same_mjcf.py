@@ -1,0 +1,307 @@
+"""Whether two models in MJCF are the same to MuJoCo: compiled both, compared by name.
+
+Things without a name are compared by their order, as the copy may name them. At random states,
+which both get by the names of joints, MuJoCo works out the mass matrix, bias, passive and actuator
+forces, poses of sites, and what sensors measure.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import mujoco
+import numpy as np
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    Array = np.ndarray[Any, Any]
+
+STATES = 20
+TOLERANCE = 1e-9
+"""How far numbers may be off, as part of the greatest of their kind."""
+WIDTHS = {0: (7, 6), 1: (4, 3), 2: (1, 1), 3: (1, 1)}
+"""How many numbers of qpos and qvel a joint of each type has."""
+KINDS = {
+    "body": (mujoco.mjtObj.mjOBJ_BODY, "nbody"),
+    "joint": (mujoco.mjtObj.mjOBJ_JOINT, "njnt"),
+    "site": (mujoco.mjtObj.mjOBJ_SITE, "nsite"),
+    "geom": (mujoco.mjtObj.mjOBJ_GEOM, "ngeom"),
+    "actuator": (mujoco.mjtObj.mjOBJ_ACTUATOR, "nactuator"),
+    "sensor": (mujoco.mjtObj.mjOBJ_SENSOR, "nsensor"),
+    "key": (mujoco.mjtObj.mjOBJ_KEY, "nkey"),
+}
+FIELDS = {
+    "body": "pos quat gravcomp",
+    "joint": "pos axis type stiffness limited range actfrclimited actfrcrange margin "
+    "solref solimp actgravcomp",
+    "dof": "armature damping frictionloss solref solimp",
+    "geom": "type contype conaffinity condim priority friction margin gap solmix solref solimp",
+    "actuator": "ctrllimited ctrlrange forcelimited forcerange gear gainprm biasprm dynprm "
+    "gaintype biastype dyntype actlimited actrange delay",
+    "sensor": "type dim noise cutoff",
+    "key": "qpos qvel ctrl",
+    "opt": "timestep integrator cone solver iterations tolerance impratio gravity density "
+    "viscosity disableflags enableflags o_solref o_solimp",
+    "sizes": "nq nv nu na nbody njnt nsite ntendon neq nexclude npair nmocap nflex nskin",
+}
+"""What is compared besides what the two models do: the fields that lie under it."""
+
+
+class Compiled:
+    """A model, and where its things are by name."""
+
+    def __init__(self, path: str) -> None:
+        self.model = model = mujoco.MjModel.from_xml_path(path)
+        self.data = mujoco.MjData(model)
+        self.names: dict[str, list[str]] = {}
+        for kind, (number, count) in KINDS.items():
+            ids = range(getattr(model, count))
+            self.names[kind] = [mujoco.mj_id2name(model, number, each) or "" for each in ids]
+
+    def inertias(self) -> Array:
+        """Return each body's mass, first moments and inertia about the origin of its own frame."""
+        rows = []
+        for body in range(self.model.nbody):
+            row = np.zeros(9)
+            mujoco.mju_quat2Mat(row, self.model.body_iquat[body])
+            turn = row.reshape(3, 3)
+            mass, center = self.model.body_mass[body], self.model.body_ipos[body]
+            about = turn @ np.diag(self.model.body_inertia[body]) @ turn.T
+            about += mass * (center @ center * np.eye(3) - np.outer(center, center))
+            rows.append(np.concatenate([[mass], mass * center, about.flatten()]))
+        return np.array(rows)
+
+
+def matching(first: Compiled, second: Compiled, kind: str) -> list[int | None]:
+    """Return for each thing of a kind the one of the other model; None if there is none."""
+    names, others = first.names[kind], second.names[kind]
+    by_name = {name: index for index, name in enumerate(others) if name}
+    found = [by_name.get(name) if name else None for name in names]
+    left = [index for index in range(len(others)) if index not in set(found)]
+    if len(names) == len(others):  # those without a name have kept their places
+        return [
+            index if each is None and not names[index] and index in left else each
+            for index, each in enumerate(found)
+        ]
+    nameless = [index for index, name in enumerate(names) if not name]
+    found = list(found)
+    for index, other in zip(nameless, left, strict=False):
+        found[index] = other
+    return found
+
+
+class Comparison:
+    """Two models, of which the second should do what the first does.
+
+    Attributes:
+        found: what differs, each with how far: a number as part of the greatest, or a text.
+        fields: values that differ and can explain it, or matter only in other states.
+    """
+
+    def __init__(self, first: str, second: str, *, seed: int = 1, states: int = STATES) -> None:
+        self.first, self.second = Compiled(first), Compiled(second)
+        self.found: dict[str, str] = {}
+        self.fields: dict[str, str] = {}
+        self._random = np.random.default_rng(seed)
+        self._maps = {kind: matching(self.first, self.second, kind) for kind in KINDS}
+        one, two = self.first.model, self.second.model
+        for size in ("nq", "nv", "nu"):
+            if getattr(one, size) != getattr(two, size):
+                self.found[size] = f"{getattr(one, size)} became {getattr(two, size)}"
+        for kind in ("body", "joint", "site", "actuator", "sensor"):
+            pairs = zip(self.first.names[kind], self._maps[kind], strict=True)
+            missing = [name or f"#{i}" for i, (name, other) in enumerate(pairs) if other is None]
+            if missing:
+                self.found[f"{kind} missing"] = ", ".join(missing[:4]) + f" ({len(missing)})"
+        self._static("body inertias", self.first.inertias(), self.second.inertias(), "body")
+        self._compare_fields()
+        if not {"nq", "nv"} & self.found.keys() and "joint missing" not in self.found:
+            for _ in range(states):
+                self._move()
+
+    def _static(self, what: str, first: Array, second: Array, kind: str) -> None:
+        for index, other in enumerate(self._maps[kind]):
+            if other is not None:
+                self._note(what, first[index], second[other], self.first.names[kind][index])
+
+    def _note(self, what: str, first: Array, second: Array, whose: str = "") -> None:
+        first, second = np.asarray(first, dtype=float), np.asarray(second, dtype=float)
+        if first.shape != second.shape:
+            self.found.setdefault(what, f"shapes {first.shape} and {second.shape} {whose}")
+            return
+        if not first.size:
+            return
+        off, size = _distance(first, second)
+        if not off <= TOLERANCE * max(size, 1e-6):
+            known = self.found.get(what)
+            if known is None or float(known.split()[0]) < off / max(size, 1e-6):
+                self.found[what] = f"{off / max(size, 1e-6):.1e} {whose}".strip()
+
+    # --- states ---
+
+    def _spans(self) -> Iterator[tuple[int, slice, slice, slice, slice]]:
+        one, two = self.first.model, self.second.model
+        for index, other in enumerate(self._maps["joint"]):
+            if other is None or one.jnt_type[index] != two.jnt_type[other]:
+                continue
+            width, depth = WIDTHS[int(one.jnt_type[index])]
+            q, r = one.jnt_qposadr[index], two.jnt_qposadr[other]
+            v, w = one.jnt_dofadr[index], two.jnt_dofadr[other]
+            yield (
+                index,
+                slice(q, q + width),
+                slice(r, r + width),
+                slice(v, v + depth),
+                slice(w, w + depth),
+            )
+
+    def _move(self) -> None:
+        """Compare the two in a random state."""
+        one, two = self.first, self.second
+        random = self._random
+        mujoco.mj_resetData(one.model, one.data)
+        mujoco.mj_resetData(two.model, two.data)
+        order: list[int] = [-1] * one.model.nv
+        for index, q, r, v, w in self._spans():
+            value = self._position(index)
+            one.data.qpos[q] = two.data.qpos[r] = value
+            speed = random.uniform(-1, 1, v.stop - v.start)
+            one.data.qvel[v] = two.data.qvel[w] = speed
+            order[v] = range(w.start, w.stop)
+        if -1 in order:
+            self.found.setdefault("joint types", "differ")
+            return
+        self._control(random)
+        mujoco.mj_forward(one.model, one.data)
+        mujoco.mj_forward(two.model, two.data)
+        full, other = (np.zeros((each.model.nv, each.model.nv)) for each in (one, two))
+        mujoco.mj_fullM(one.model, one.data, full)
+        mujoco.mj_fullM(two.model, two.data, other)
+        self._note("mass matrix", full, other[np.ix_(order, order)])
+        for name in ("qfrc_bias", "qfrc_passive", "qfrc_actuator"):
+            self._note(name, getattr(one.data, name), getattr(two.data, name)[order])
+        self._compare_actuators()
+        for index, twin in enumerate(self._maps["site"]):
+            if twin is not None:
+                label = one.names["site"][index]
+                size = 1 + np.abs(one.data.site_xpos).max()
+                shift = (one.data.site_xpos[index] - two.data.site_xpos[twin]) / size
+                self._note("site poses", shift + 1, np.ones(3), label)
+                turns = one.data.site_xmat[index], two.data.site_xmat[twin]
+                self._note("site poses", *turns, label)
+        self._compare_sensors()
+
+    def _position(self, index: int) -> Array:
+        model, random = self.first.model, self._random
+        kind = model.jnt_type[index]
+        if kind >= 2:
+            low, high = model.jnt_range[index] if model.jnt_limited[index] else (-1, 1)
+            return random.uniform(low, high, 1)
+        turn = random.normal(size=4)
+        turn /= np.linalg.norm(turn)
+        return turn if kind == 1 else np.concatenate([random.uniform(-1, 1, 3), turn])
+
+    def _control(self, random: np.random.Generator) -> None:
+        one, two = self.first, self.second
+        for index, other in enumerate(self._maps["actuator"]):
+            count = int(one.model.actuator_ctrlnum[index])
+            first = int(one.model.actuator_ctrladr[index])
+            for part in range(count):
+                ends = one.model.actuator_ctrlrange[first + part]
+                limited = one.model.actuator_ctrllimited[first + part]
+                value = random.uniform(*(ends if limited else (-1, 1)))
+                one.data.ctrl[first + part] = value
+                if other is not None and part < two.model.actuator_ctrlnum[other]:
+                    two.data.ctrl[int(two.model.actuator_ctrladr[other]) + part] = value
+            number = int(one.model.actuator_actnum[index])
+            if number > 0 and other is not None and two.model.actuator_actnum[other] == number:
+                value = random.uniform(0, 1, number)
+                at, to = one.model.actuator_actadr[index], two.model.actuator_actadr[other]
+                one.data.act[at : at + number] = value
+                two.data.act[to : to + number] = value
+
+    def _compare_actuators(self) -> None:
+        one, two = self.first, self.second
+        size = np.abs(one.data.actuator_force).max(initial=0.0) or 1.0
+        for index, other in enumerate(self._maps["actuator"]):
+            if other is None:
+                continue
+            at, to = (
+                int(m.actuator_outadr[i]) for m, i in ((one.model, index), (two.model, other))
+            )
+            shift = (one.data.actuator_force[at] - two.data.actuator_force[to]) / size
+            name = one.names["actuator"][index]
+            self._note("actuator forces", shift + 1, np.ones(1)[0], name)
+
+    def _compare_sensors(self) -> None:
+        one, two = self.first, self.second
+        for index, other in enumerate(self._maps["sensor"]):
+            if other is None:
+                continue
+            rows: list[Array] = []
+            for each, number in ((one, index), (two, other)):
+                start = each.model.sensor_adr[number]
+                rows.append(each.data.sensordata[start : start + each.model.sensor_dim[number]])
+            kind = mujoco.mjtSensor(int(one.model.sensor_type[index])).name.removeprefix("mjSENS_")
+            self._note("sensors", rows[0], rows[1], f"{kind} {one.names['sensor'][index]}")
+
+    # --- fields ---
+
+    def _compare_fields(self) -> None:
+        """Compare what the models have by numbers."""
+        one, two = self.first.model, self.second.model
+        for kind, names in FIELDS.items():
+            for name in names.split():
+                if kind in ("opt", "sizes"):
+                    holders = (one.opt, two.opt) if kind == "opt" else (one, two)
+                    first, second = (np.asarray(getattr(each, name)) for each in holders)
+                    if _differ(first, second):
+                        self.fields[f"{kind} {name}"] = f"{first} became {second}"
+                    continue
+                prefix = {"joint": "jnt"}.get(kind, kind)
+                first, second = (getattr(each, f"{prefix}_{name}") for each in (one, two))
+                pairs: list[tuple[int, int, str]]
+                if kind == "dof":
+                    if one.nv != two.nv:
+                        continue
+                    pairs = [
+                        (v.start, w.start, self.first.names["joint"][index])
+                        for index, _, _, v, w in self._spans()
+                    ]
+                elif kind == "actuator" and name in ("ctrllimited", "ctrlrange"):
+                    if one.nu != two.nu:
+                        continue
+                    pairs = [(index, index, f"#{index}") for index in range(one.nu)]
+                else:
+                    pairs = [
+                        (index, other, self.first.names[kind][index])
+                        for index, other in enumerate(self._maps[kind])
+                        if other is not None
+                    ]
+                off = [who for a, b, who in pairs if _differ(first[a], second[b])]
+                if off:
+                    a, b, who = next(
+                        pair for pair in pairs if _differ(first[pair[0]], second[pair[1]])
+                    )
+                    self.fields[f"{kind} {name}"] = (
+                        f"{first[a]} became {second[b]} of {who!r}, {len(off)} of {len(pairs)}"
+                    )
+
+
+def _differ(first: Array, second: Array) -> bool:
+    first, second = np.asarray(first, dtype=float), np.asarray(second, dtype=float)
+    if first.shape != second.shape:
+        return True
+    off, size = _distance(first, second)
+    return not off <= TOLERANCE * max(size, 1.0)
+
+
+def _distance(first: Array, second: Array) -> tuple[float, float]:
+    """Return the greatest difference of two arrays, and their greatest value; NaN is NaN."""
+    if not first.size:
+        return 0.0, 0.0
+    both = np.isnan(first) & np.isnan(second)
+    off = np.where(both, 0.0, np.abs(first - second))
+    size = np.nanmax(np.abs(first), initial=0.0)
+    return float(off.max()), float(size)
