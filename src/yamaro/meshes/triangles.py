@@ -73,13 +73,16 @@ def is_closed(mesh: TriangleMesh) -> bool:
 # --- reading ----------------------------------------------------------------------------------
 
 
-def read_mesh(path: str, allows: Callable[[str], bool] | None = None) -> TriangleMesh:
+def read_mesh(
+    path: str, allows: Callable[[str], bool] | None = None, *, snaps: bool = True
+) -> TriangleMesh:
     """Return the mesh in the file, corners at the same point merged.
 
     Args:
         path: the file.
         allows: whether another file that this one names may be read, such as the buffer of
             a glTF; None allows all.
+        snaps: whether corners that only rounding keeps apart are merged where the mesh is open.
 
     Raises:
         MeshFileError: the file cannot be opened, or has no format that is read.
@@ -94,7 +97,7 @@ def read_mesh(path: str, allows: Callable[[str], bool] | None = None) -> Triangl
     mesh = read_by(read, path)
     if not mesh.triangles:
         raise MeshFileError(NO_TRIANGLES)
-    return mesh if is_closed(mesh) else _snapped(mesh)
+    return mesh if not snaps or is_closed(mesh) else _snapped(mesh)
 
 
 def read_by(read: Callable[[bytes, str, str], T], path: str) -> T:

@@ -60,18 +60,15 @@ class Host:
         return self._read(os.path.join(self.folder, path), span)
 
     def filename(self, path: str, span: Span) -> str:
-        """Return what `<mesh filename>` says at a span for a path from the folder of the main file.
+        """Return what `<mesh filename>` says at a span for an absolute path.
 
         The finder of meshes looks from the folder of the file in which a name is written.
         """
-        if os.path.isabs(path) or "://" in path:
-            return path
         home = os.path.dirname(span.source.path) if span.source.path else os.getcwd()
-        whole = os.path.normpath(os.path.join(self.folder, path))
         try:
-            return os.path.relpath(whole, home).replace(os.sep, "/")
+            return os.path.relpath(path, home).replace(os.sep, "/")
         except ValueError:  # on another drive
-            return whole
+            return path
 
     def find(self, path: str, span: Span) -> str | None:
         """Return the absolute path of a mesh or texture, None if it is not there.
@@ -93,4 +90,4 @@ class Host:
         """
         from ..meshes.triangles import read_mesh
 
-        return read_mesh(path, self.finder.allows)
+        return read_mesh(path, self.finder.allows, snaps=False)

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 NAME = "mjcf"
 """The format that the blocks are for."""
+FILES = frozenset(("file", "fileback", "filedown", "filefront", "fileleft", "fileright", "fileup"))
+"""The attributes that name files."""
 _OF_POSE = (*ORIENTATIONS, "pos")
 
 
@@ -76,6 +78,10 @@ def kept(
         if any(pose.position):
             attributes["pos"] = row(pose.position)
         attributes["quat"] = quaternion(pose)
+    for name in FILES & attributes.keys():
+        folder = "texturedir" if thing.kind == "texture" else "meshdir"
+        folder = getattr(thing.context.compiler, folder)
+        attributes[name] = thing.context.path(str(attributes[name]), folder)
     attributes.update(changed or {})
     attributes = {name: value for name, value in attributes.items() if value is not None}
     children: list[Node] = [kept(child) for child in thing.children]

@@ -1,39 +1,49 @@
-"""The robot that is made of the bodies of a model: links, joints, what they hold, notes, blocks."""
+"""The robot that is made of the bodies of a model: its links, with masses, shapes and frames."""
 
 from __future__ import annotations
 
 import os
 
 from ...model import making
-from ...model.joint import CONTINUOUS, FIXED, FLOATING, PRISMATIC, REVOLUTE, Dynamics, Limit
+from ...model.joint import FIXED
 from ...model.making import Place
-from ...model.pose import IDENTITY, UNTURNED, ZERO, Pose, rotate
+from ...model.pose import IDENTITY, UNTURNED, ZERO, Pose
 from ...xml.tree import Element
-from .blocks import block, in_radians, kept, quaternion, row, setting
-from .compiler import chosen, fault, given_by, number, numbers, unit_axis, vector
+from .actuators import Drives
+from .assets import Assets
+from .blocks import block, kept, quaternion, row, setting
+from .compiler import chosen, fault, number, numbers
 from .inertia import Mass, mass_of, scaled
-from .shapes import Geom
-from .tree import Thing
+from .sections import add_sections, read_mimics
+from .shapes import OF_MESHES, Geom
+from .tree import OF_BODY, Thing
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Sequence
 
-    from ...model.link import Collision, Inertial, Visual
+    from ...model.link import Collision, Color, Inertial, Material, Visual
+    from ...model.shapes import Shape
     from ...source import Span
     from ...xml.tree import Node
     from ..host import Host
     from .tree import Body, Context, Placed
 
 WORLD = "world"
-Z_AXIS = (0.0, 0.0, 1.0)
 JOINT_TYPES = ("free", "ball", "slide", "hinge")
-OF_DOCUMENT = ("compiler", "default", "worldbody", "asset")
-"""The sections that are read here; others are kept as they are, or read by `words`."""
 PLAIN = (0.5, 0.5, 0.5, 1.0)
 """The colour of a geom that says nothing of it."""
-UNBOUNDED = 1e16
-"""The effort and velocity of a joint that bounds neither: URDF wants a number, and takes it so."""
+HELD_BY_GEOMS = frozenset(
+    """type size mesh fitscale mass density shellinertia pos quat euler axisangle xyaxes zaxis
+    fromto""".split()
+)
+"""What is in the shape of a geom, its pose, and the mass of its link."""
+VISIBLE, SOLID = 2, 3
+"""The groups that the writer of MJCF gives to visuals and collisions."""
+SMOOTH, ROLLING = 0.005, 0.0001
+"""MuJoCo's coefficients of friction against turning and rolling, in m."""
+DETAILS_OF_MESHES = frozenset(("maxhullvert", "smoothnormal", "content_type"))
+"""What a mesh says that its file does not hold."""
 
 
 class Builder:
@@ -42,27 +52,104 @@ class Builder:
     Attributes:
         host: what the reader may ask for.
         context: the main document.
+        contexts: all documents: the main one, and those that are attached.
         world: the world, with all bodies in it.
+        assets: the meshes, materials and so on.
         geoms: the geoms of each body, by its name.
+        links, joints: the elements of the robot.
+        inner: what the block of each link holds, by the link's name.
+        rest: notes and blocks of the robot as a whole.
+        has_world: whether the world is a link.
+        drives: the actuators.
+        mimics: the joints that follow others, by name.
+        equalities: what is kept of all equalities.
+        armatures: those of joints that the model has in an actuator, by the joint's name.
     """
 
-    def __init__(self, host: Host, context: Context, world: Body) -> None:
+    def __init__(self, host: Host, contexts: Sequence[Context], world: Body) -> None:
         self.host = host
-        self.context = context
+        self.contexts = contexts
+        self.context = contexts[0]
         self.world = world
-        self.span = context.document.root.span
+        self.span = self.context.document.root.span
+        self.assets = Assets(contexts, host)
         self.links: list[Element] = []
         self.joints: list[Element] = []
-        self.materials: list[Element] = []
+        self.inner: dict[str, list[Node]] = {}
         self.rest: list[Node] = []
-        self._names: dict[str, set[str]] = {"body": {WORLD}, "joint": set()}
-        self._colors: dict[tuple[float, ...], str] = {}
         self.geoms: dict[str, list[Geom]] = {}
-        self._chains: dict[str, list[str]] = {}
+        self._names: dict[str, set[str]] = {"body": {WORLD}, "joint": set()}
+        self._colors: dict[Color, str] = {}
+        self._name_all()
+        self.has_world = self._needs_world()
+        kinds, refs = self._joints()
+        self.drives = Drives(contexts, kinds)
+        driven = {name for name in kinds if self.drives.noted(name) is not None}
+        self.mimics, self.equalities = read_mimics(contexts, kinds, refs, driven)
+        self.armatures: dict[str, tuple[str, Span]] = {}
+
+    def _joints(self) -> tuple[dict[str, str], dict[str, float]]:
+        """Return the type of each joint, and its reference in radians or metres, by its name."""
+        kinds: dict[str, str] = {}
+        refs: dict[str, float] = {}
+        for body in self.world.iter():
+            for joint in body.joints:
+                if not joint.name:
+                    continue
+                if joint.name in kinds:
+                    raise fault(
+                        f"there are two joints named '{joint.name}'",
+                        joint.name_span,
+                        "give each its own name",
+                    )
+                kinds[joint.name] = kind = type_of(joint)
+                angle = joint.context.compiler.angle if kind == "hinge" else float
+                refs[joint.name] = angle(number(joint.given, "ref", 0.0))
+        return kinds, refs
 
     def robot(self) -> Element:
         """Return the robot."""
-        self._name_all()
+        from .joints import add_joints
+
+        masses = self._masses()
+        if self.has_world:
+            self._add_link(self.world, None)
+            self.rest.append(making.note("base", Place(self.span), {"type": "fixed"}))
+        pending = [(self.world, body) for body in reversed(self.world.bodies)]
+        while pending:
+            above, body = pending.pop()
+            if above is self.world and not self.has_world:
+                self._add_root(body)
+            else:
+                add_joints(self, body, above.name)
+            mass = masses.get(body.name)
+            self._add_link(body, self._inertial(body, mass) if mass is not None else None)
+            pending += [(body, child) for child in reversed(body.bodies)]
+        self.drives.notes(self, self.armatures)
+        add_sections(self)
+        for link in self.links:
+            inner = self.inner.get(str(link.attributes["name"]))
+            if inner:
+                link.children.append(block(link.span, inner))
+        name = self.context.document.name or self._stem()
+        materials = [each.element for each in self.assets.materials()]
+        return Element(
+            "robot",
+            self.span,
+            {"name": name},
+            [*materials, *self.links, *self.joints, *self.rest],
+            value_spans={"name": self.context.document.root.value_span("model")},
+        )
+
+    def _stem(self) -> str:
+        return os.path.basename(self.host.source.path or "robot").partition(".")[0] or "robot"
+
+    def keep(self, link: str, element: Element) -> None:
+        """Put an element into the block of a link."""
+        self.inner.setdefault(link, []).append(self.assets.use(element))
+
+    def _masses(self) -> dict[str, Mass]:
+        """Return the mass of each body that has one, by its name."""
         masses: dict[str, Mass] = {}
         for body in self.world.iter():
             if body is not self.world:
@@ -70,42 +157,26 @@ class Builder:
                 if found is not None:
                     masses[body.name] = found
         total = number(self.context.compiler.given, "settotalmass", -1.0)
-        if total > 0:
-            masses = scaled(masses, total)
-        if self._has_world():
-            self._add_link(self.world, None)
-            self.rest.append(making.note("base", Place(self.span), {"type": "fixed"}))
-        for body in self.world.iter():
-            if body is not self.world:
-                self._add_body(body, masses.get(body.name))
-        self._add_sections()
-        name = self.context.document.name or self._stem()
-        children = [*self.materials, *self.links, *self.joints, *self.rest]
-        return Element(
-            "robot",
-            self.span,
-            {"name": name},
-            children,
-            value_spans={"name": self.context.document.root.value_span("model")},
-        )
-
-    def _stem(self) -> str:
-        return os.path.basename(self.host.source.path or "robot").partition(".")[0] or "robot"
+        return scaled(masses, total) if total > 0 else masses
 
     # --- names ---
 
     def _name_all(self) -> None:
         """Give each body a name of its own, and each geom one in its body."""
         for body in self.world.iter():
-            if body is not self.world:
-                if body.thing.name and body.name in self._names["body"]:
+            if body is not self.world and body.thing.name:
+                if body.name in self._names["body"]:
                     raise fault(
                         f"there are two bodies named '{body.name}'",
                         body.thing.name_span,
-                        "give each its own name; 'world' is the name of the world"
-                        if body.name == WORLD
-                        else "give each its own name",
+                        "give each its own name; the world has the name 'world'",
                     )
+                self._names["body"].add(body.name)
+            for joint in body.joints:
+                if joint.name:
+                    self._names["joint"].add(joint.name)
+        for body in self.world.iter():
+            if body is not self.world and not body.thing.name:
                 body.name = self.fresh("body", body.name)
             number, found = 0, []
             for thing in body.geoms:
@@ -113,7 +184,7 @@ class Builder:
                 if not name:
                     number += 1
                     name = f"{body.name}_geom{number}"
-                found.append(Geom(thing, name))
+                found.append(Geom(thing, name, self.assets))
             self.geoms[body.name] = found
 
     def fresh(self, kind: str, wanted: str) -> str:
@@ -127,58 +198,45 @@ class Builder:
 
     # --- the root ---
 
-    def _has_world(self) -> bool:
-        """Return whether the world is a link of its own."""
+    def _needs_world(self) -> bool:
+        """Return whether the world is a link: it has shapes, or joints that lead to what moves."""
         tops = self.world.bodies
-        if len(tops) != 1 or any(geom.shape() for geom in self.geoms[WORLD]):
+        if len(tops) != 1 or any(map(is_shape, self.geoms[WORLD])):
             return True
-        return any(self._type_of(joint) != "free" for joint in tops[0].joints)
+        return any(type_of(joint) != "free" for joint in tops[0].joints)
 
-    @staticmethod
-    def _type_of(joint: Placed) -> str:
-        if joint.kind == "freejoint":
-            return "free"
-        return chosen(joint.given, "type", JOINT_TYPES, "hinge")
-
-    # --- bodies ---
-
-    def _add_body(self, body: Body, mass: Mass | None) -> None:
-        """Add the link of a body, and the joints that lead to it."""
-        above = next(each for each in self._parents() if each[1] is body)[0]
-        inner: list[Node] = []
-        if above is self.world and not self._has_world():
-            self._add_root(body, inner)
-        else:
-            self._add_joints(body, above.name, inner)
-        inertial = self._inertial(body, mass) if mass is not None else None
-        self._add_link(body, inertial, inner)
-
-    def _parents(self) -> Iterable[tuple[Body, Body]]:
-        for body in self.world.iter():
-            for child in body.bodies:
-                yield body, child
-
-    def _add_root(self, body: Body, inner: list[Node]) -> None:
+    def _add_root(self, body: Body) -> None:
         """Note how the root is placed in the world."""
-        free = bool(body.joints)
-        place = Place(body.joints[0].span if free else body.thing.span)
+        free = body.joints[0] if body.joints else None
+        place = Place((free or body.thing).span)
         self.rest.append(making.note("base", place, {"type": "free" if free else "fixed"}))
         span = body.thing.span
         if any(body.pose.position):
-            inner.append(setting("pos", row(body.pose.position), span))
+            self.keep(body.name, setting("pos", row(body.pose.position), span))
         turn = quaternion(body.pose)
         if turn is not None:
-            inner.append(setting("quat", turn, span))
-        if free and (body.joints[0].name or body.joints[0].given):
-            thing = body.joints[0]
-            inner.append(kept(thing, without=("type",) if thing.kind == "joint" else ()))
+            self.keep(body.name, setting("quat", turn, span))
+        if free is not None:
+            self.keep_free(body, free)
+
+    def keep_free(self, body: Body, joint: Placed) -> None:
+        """Keep what a free joint has besides being one."""
+        element = kept(joint, without=("type", "pos", "axis", "range", "ref", "springref"))
+        element.name = "freejoint"
+        if element.attributes:
+            is_plain = element.attributes.keys() <= {"name", "align", "group"}
+            if not is_plain:
+                element.name = "joint"
+                element.attributes["type"] = "free"
+            self.keep(body.name, element)
+
+    # --- links ---
 
     def _inertial(self, body: Body, mass: Mass) -> Inertial:
         thing = body.inertial or body.thing
-        place = Place(thing.span)
         (xx, xy, xz), (_, yy, yz), (_, _, zz) = mass.inertia
         return making.inertial(
-            place,
+            Place(thing.span),
             mass=mass.mass,
             inertia=(xx, xy, xz, yy, yz, zz),
             pose=self.origin(thing, mass.pose),
@@ -198,19 +256,24 @@ class Builder:
         made = making.pose(Place(thing.span, places), pose.position, rpy)
         return Pose(pose.rotation, pose.position, made.element)
 
-    def _add_link(self, body: Body, inertial: Inertial | None, inner: Iterable[Node] = ()) -> None:
+    def _add_link(self, body: Body, inertial: Inertial | None) -> None:
+        """Add a link, with what is in the body."""
         thing = body.thing
         visuals: list[Visual] = []
         collisions: list[Collision] = []
-        kept_here: list[Node] = [*inner]
-        for geom in self.geoms[body.name]:
-            self._add_geom(body, geom, visuals, collisions, kept_here)
-        kept_here += [
-            kept(each, pose=each.context.compiler.pose(each.given)) for each in body.others
-        ]
         for name, (value, span) in thing.given.items():
-            if name in ("gravcomp", "mocap", "user", "sleep", "fuse", "simple"):
-                kept_here.append(setting(name, value, span))
+            if name in OF_BODY:
+                self.keep(body.name, setting(name, value, span))
+        details = [
+            self._add_geom(body, geom, visuals, collisions) for geom in self.geoms[body.name]
+        ]
+        self._keep_geoms(body, visuals, collisions, details)
+        for other in body.others:
+            self.keep(body.name, placed(other))
+        is_loose = body is not self.world and not (body.joints or inertial or self.geoms[body.name])
+        if is_loose and body.name not in self.inner:
+            # A link with nothing in it is a frame; a body stays one.
+            self.keep(body.name, setting("gravcomp", "0", thing.span))
         made = making.link(
             Place(thing.span, {"name": thing.name_span}),
             name=body.name,
@@ -218,58 +281,59 @@ class Builder:
             visuals=visuals,
             collisions=collisions,
         )
-        element = made.element
-        if kept_here:
-            element.children.append(block(thing.span, kept_here))
-        self.links.append(element)
+        self.links.append(made.element)
         for site in body.sites:
             self._add_frame(body, site)
 
-    def _add_geom(
+    def _keep_geoms(
         self,
         body: Body,
-        geom: Geom,
-        visuals: list[Visual],
-        collisions: list[Collision],
-        kept_here: list[Node],
+        visuals: Sequence[Visual],
+        collisions: Sequence[Collision],
+        details: Sequence[Element | None],
     ) -> None:
-        thing, given = geom.thing, geom.thing.given
-        shape = geom.shape()
-        place = Place(thing.span, {"name": thing.name_span})
-        if shape is None:
-            kept_here.append(kept(thing, pose=geom.pose))
-            return
-        size_place = Place(thing.span, dict.fromkeys(
-            shape.attributes, thing.element.value_span("size")
-        ))  # fmt: skip
-        made = making.simple_shape(size_place, shape.kind, *shape.size)
-        pose = self.origin(thing, geom.pose)
-        is_solid = geom.is_solid()
-        if geom.is_seen() or not is_solid:
-            color = numbers(given, "rgba", 4)
-            material = None
-            if color is not None and tuple(color) != PLAIN:
-                rgba = (color[0], color[1], color[2], color[3])
-                name = self._colors.setdefault(rgba, "")
-                if not name:
-                    name = self._colors[rgba] = f"{body.name}_color"
-                material = making.material(Place(given["rgba"][1]), name=name, color=rgba)
-            visuals.append(
-                making.visual(place, shape=made, pose=pose, material=material, name=geom.name)
-            )
-        if is_solid:
-            collisions.append(making.collision(place, shape=made, pose=pose, name=geom.name))
+        """Keep what the model does not have of geoms, and their order where it is not the usual."""
+        names = [geom.name for geom in self.geoms[body.name]]
+        shown = [each.name for each in visuals]
+        usual = list(dict.fromkeys([*shown, *(each.name for each in collisions)]))
+        whole = [name for name in names if name not in usual]
+        in_order = names == [*usual, *whole]
+        for geom, element in zip(self.geoms[body.name], details, strict=True):
+            if element is not None and (len(element.attributes) > 1 or element.children):
+                self.keep(body.name, element)
+            elif not in_order:
+                self.keep(body.name, Element("geom", geom.thing.span, {"name": geom.name}))
 
     def _add_frame(self, body: Body, site: Placed) -> None:
         """Add a site: an empty link on a fixed joint."""
         pose = site.context.compiler.pose(site.given)
-        pose = pose if site.pose is IDENTITY else site.pose @ pose
-        name = self.fresh("body", site.name or f"{body.name}_site")
-        place = Place(site.span, {"name": site.name_span})
-        self.links.append(making.link(place, name=name).element)
-        self._add_fixed(site, f"{name}_joint", body.name, name, pose)
+        half = None
+        ends = numbers(site.given, "fromto", 6)
+        if ends is not None:
+            from .shapes import between
 
-    def _add_fixed(self, thing: Thing, name: str, parent: str, child: str, pose: Pose) -> None:
+            pose, half = between(ends, site)
+        pose = pose if site.pose is IDENTITY else site.pose @ pose
+        wanted = site.name or f"{body.name}_site"
+        name = self.fresh("body", wanted)
+        place = Place(site.span, {"name": site.name_span})
+        link = making.link(place, name=name).element
+        self.links.append(link)
+        self.add_fixed(site, f"{name}_joint", body.name, name, pose)
+        details: dict[str, object] = {}
+        if half is not None:
+            sizes = numbers(site.given, "size", 1, 3) or [0.005]
+            is_round = site.text("type") in ("capsule", "cylinder")
+            details["size"] = row([sizes[0], half] if is_round else [sizes[0], sizes[0], half])
+        element = kept(site, pose=IDENTITY, changed=details, without=("fromto",))
+        if name != wanted:
+            self.keep(name, setting("name", site.name, site.span))
+        if any(attribute != "name" for attribute in element.attributes):
+            element.attributes["name"] = name
+            self.keep(body.name, element)
+
+    def add_fixed(self, thing: Thing, name: str, parent: str, child: str, pose: Pose) -> None:
+        """Add a fixed joint between two links."""
         self.joints.append(
             making.joint(
                 Place(thing.span),
@@ -281,116 +345,149 @@ class Builder:
             ).element
         )
 
-    # --- joints ---
+    # --- geoms ---
 
-    def _add_joints(self, body: Body, parent: str, inner: list[Node]) -> None:
-        """Add the joints between a body and the one that it is in, with links in between."""
-        origin, at = body.pose, ZERO
-        moving = [each for each in body.joints if self._type_of(each) in ("slide", "hinge")]
-        for joint in body.joints:
-            kind = self._type_of(joint)
-            if kind == "free":
-                name = self.fresh("joint", joint.name or f"{body.name}_free")
-                made = making.joint(
-                    Place(joint.span, {"name": joint.name_span}),
-                    name=name,
-                    type=FLOATING,
-                    parent=parent,
-                    child=body.name,
-                    origin=self.origin(body.thing, origin),
-                )
-                self.joints.append(made.element)
-                return
-            if kind == "ball":
-                inner.append(kept(joint, changed=in_radians(joint, "range", "springref")))
-                continue
-            where = vector(joint.given, "pos")
-            if kind == "slide":
-                where = at
-            dx, dy, dz = (p - q for p, q in zip(where, at, strict=True))
-            if dx or dy or dz:
-                origin = origin @ Pose(UNTURNED, (dx, dy, dz))
-            at = where
-            is_last = joint is moving[-1] and at == ZERO
-            name = self.fresh("joint", joint.name or f"{body.name}_joint")
-            child = body.name if is_last else self.fresh("body", f"{name}_link")
-            self._add_joint(joint, kind, name, parent, child, origin)
-            if not is_last:
-                place = Place(joint.span, {"name": joint.name_span})
-                self.links.append(making.link(place, name=child).element)
-            parent, origin = child, IDENTITY
-        if parent != body.name and not (moving and at == ZERO):
-            x, y, z = at
-            pose = origin @ Pose(UNTURNED, (-x, -y, -z)) if moving else origin
-            self._add_fixed(body.thing, f"{body.name}_fixed", parent, body.name, pose)
+    def _add_geom(
+        self, body: Body, geom: Geom, visuals: list[Visual], collisions: list[Collision]
+    ) -> Element | None:
+        """Append a geom to visuals and collisions; return what the model does not have of it."""
+        thing = geom.thing
+        found = self._shape_of(geom)
+        if found is None:
+            changed = {"name": geom.name}
+            if geom.type in OF_MESHES or geom.type in ("plane", "hfield"):
+                pose = geom.pose
+                return self.assets.use(kept(thing, pose=pose, changed=changed, without=("fromto",)))
+            sizes = row(geom.sizes)
+            whole = {**changed, "type": geom.type, "size": sizes, "mesh": None, "fitscale": None}
+            return kept(thing, pose=geom.pose, changed=whole, without=("fromto",))
+        shape, pose = found
+        place = Place(thing.span, {"name": thing.name_span})
+        at = self.origin(thing, pose)
+        is_solid, is_seen = geom.is_solid(), geom.is_seen()
+        has_look = is_seen or not is_solid
+        if has_look:
+            look = self._look(body, geom)
+            visuals.append(
+                making.visual(place, shape=shape, pose=at, material=look, name=geom.name)
+            )
+        if is_solid:
+            index = len(collisions)
+            collisions.append(making.collision(place, shape=shape, pose=at, name=geom.name))
+            self._add_surface(body, geom, index)
+        return self._details(geom, has_look=has_look, is_solid=is_solid)
 
-    def _add_joint(
-        self, thing: Placed, kind: str, name: str, parent: str, child: str, origin: Pose
-    ) -> None:
-        given = thing.given
-        compiler = thing.context.compiler
-        angle = compiler.angle if kind == "hinge" else float
-        axis = unit_axis(given, Z_AXIS)
+    def _shape_of(self, geom: Geom) -> tuple[Shape, Pose] | None:
+        """Return the shape of a geom as the model has it, and its pose in the body, or None."""
+        thing = geom.thing
+        mesh = geom.mesh
+        if mesh is None:
+            shape = geom.shape()
+            if shape is None:
+                return None
+            span = thing.element.value_span("size")
+            place = Place(thing.span, dict.fromkeys(shape.attributes, span))
+            return making.simple_shape(place, shape.kind, *shape.size), geom.pose
+        turn = mesh.in_geom()
+        details = DETAILS_OF_MESHES & mesh.thing.given.keys()
+        if geom.type != "mesh" or turn is None or not mesh.path or details or thing.children:
+            return None
+        if mesh.path.lower().endswith(".msh"):
+            return None
+        span = mesh.thing.element.value_span("file")
+        places = {"filename": span, "scale": mesh.thing.element.value_span("scale")}
+        scale = mesh.scale if mesh.scale != (1.0, 1.0, 1.0) else None
+        made = making.mesh(Place(thing.span, places), mesh.filename(), scale)
+        self.assets.held.add(mesh.name)
+        return made, geom.pose if turn is IDENTITY else geom.pose @ turn
+
+    def _look(self, body: Body, geom: Geom) -> Material | None:
+        """Return the material of a visual: one of the model, or a colour of its own."""
+        given = geom.thing.given
+        color = numbers(given, "rgba", 4)
+        if color is not None and tuple(color) != PLAIN:
+            rgba = (color[0], color[1], color[2], color[3])
+            if rgba not in self._colors:
+                known = self.assets.others.get("material", {}).keys()
+                taken = {*known, *self._colors.values()}
+                name, count = f"{body.name}_color", 2
+                while name in taken:
+                    name, count = f"{body.name}_color_{count}", count + 1
+                self._colors[rgba] = name
+            span = given["rgba"][1]
+            return making.material(Place(span), name=self._colors[rgba], color=rgba)
+        named = given.get("material")
+        if named is None and geom.mesh is not None:
+            named = geom.mesh.thing.given.get("material")
+        if named is None:
+            return None
+        self.assets.find("material", *named)
+        return making.material(Place(named[1], {"name": named[1]}), name=named[0])
+
+    def _add_surface(self, body: Body, geom: Geom, index: int) -> None:
+        """Note the friction of a collision."""
+        row = numbers(geom.thing.given, "friction", 1, 3)
+        if row is not None:
+            span = geom.thing.given["friction"][1]
+            place = Place(span, {"friction": span})
+            values: dict[str, str | float] = {"link": body.name, "index": str(index)}
+            self.rest.append(making.note("surface", place, {**values, "friction": row[0]}))
+
+    def _details(self, geom: Geom, *, has_look: bool, is_solid: bool) -> Element:
+        """Return what the model does not have of a geom that it has."""
+        thing, given = geom.thing, geom.thing.given
+        left = set(HELD_BY_GEOMS)
+        if has_look:
+            if "rgba" in given and "material" not in given:
+                left.add("rgba")
+            if "material" in given and "rgba" not in given:
+                left.add("material")
+        changed: dict[str, object] = {"name": geom.name}
+        friction = numbers(given, "friction", 1, 3)
+        if friction is not None and is_solid:
+            usual = [friction[0], SMOOTH, ROLLING]
+            if [*friction, *usual[len(friction) :]] == usual:
+                left.add("friction")
+        if has_look and is_solid:
+            changed["group"] = str(geom.group)
+            for name in ("contype", "conaffinity"):
+                changed[name] = str(int(number(given, name, 1.0)))
+        else:
+            left.add("group")
+            if geom.group != (SOLID if is_solid else VISIBLE):
+                changed["group"] = str(geom.group)
+            for name in ("contype", "conaffinity"):
+                if int(number(given, name, 1.0)) == int(is_solid):
+                    left.add(name)
+        return self.assets.use(kept(thing, changed=changed, without=left))
+
+
+def is_shape(geom: Geom) -> bool:
+    """Return whether the model has the shape of a geom."""
+    return geom.shape() is not None or geom.mesh is not None
+
+
+def type_of(joint: Placed) -> str:
+    """Return the type of a joint."""
+    if joint.kind == "freejoint":
+        return "free"
+    return chosen(joint.given, "type", JOINT_TYPES, "hinge")
+
+
+def placed(thing: Placed) -> Element:
+    """Return what is in a body besides joints, geoms and sites, for the block of its link."""
+    if thing.kind == "plugin":
+        return kept(thing)
+    pose = thing.context.compiler.pose(thing.given)
+    if thing.pose is not IDENTITY:
+        pose = thing.pose @ pose
+    if thing.kind == "light":
+        from ...model.pose import rotate
+
+        changed: dict[str, object] = {}
+        direction = numbers(thing.given, "dir", 3)
         if thing.pose is not IDENTITY:
-            axis = rotate(thing.pose.rotation, axis)
-        ends = numbers(given, "range", 2)
-        limited = chosen(given, "limited", ("true", "false", "auto"), "auto")
-        is_limited = limited == "true" or (
-            limited == "auto" and compiler.autolimits and ends is not None and any(ends)
-        )
-        effort = numbers(given, "actuatorfrcrange", 2)
-        limit = None
-        values: dict[str, float] = {}
-        places = {"lower": thing.element.value_span("range")}
-        places["upper"] = places["lower"]
-        if is_limited and ends is not None:
-            values = {"lower": angle(ends[0]), "upper": angle(ends[1])}
-        if effort is not None:
-            values["effort"] = max(effort)
-            places["effort"] = thing.element.value_span("actuatorfrcrange")
-        if is_limited or effort is not None:
-            values = {"effort": UNBOUNDED, "velocity": UNBOUNDED, **values}
-            limit = making.part(Limit, Place(thing.span, places), **values)
-        friction = {"damping": "damping", "friction": "frictionloss"}
-        dynamic = {k: numbers(given, v, 1, 3) for k, v in friction.items()}
-        found = {k: v[0] for k, v in dynamic.items() if v is not None and v[0]}
-        dynamics = None
-        if found:
-            spots = {k: thing.element.value_span(v) for k, v in friction.items()}
-            dynamics = making.part(Dynamics, Place(thing.span, spots), **found)
-        type = PRISMATIC if kind == "slide" else REVOLUTE if is_limited else CONTINUOUS
-        made = making.joint(
-            Place(thing.span, {"name": thing.name_span}),
-            name=name,
-            type=type,
-            parent=parent,
-            child=child,
-            origin=self.origin(thing, origin),
-            axis=axis,
-            limit=limit,
-            dynamics=dynamics,
-        )
-        extras = [
-            setting(key, value, span)
-            for key, (value, span) in given.items()
-            if key not in ("type", "pos", "axis", "range", "limited", "damping", "frictionloss",
-                           "actuatorfrcrange")
-        ]  # fmt: skip
-        if extras:
-            made.element.children.append(block(thing.span, extras))
-        self.joints.append(made.element)
-
-    # --- sections ---
-
-    def _add_sections(self) -> None:
-        """Add what the document has besides bodies, as blocks."""
-        document = self.context.document
-        for section in document.others(OF_DOCUMENT):
-            given = given_by(section)
-            given.pop("class", None)
-            element = kept(Thing(section, self.context, given))
-            element.children = [
-                kept(Thing(each, self.context, self.context.given(each, section=section.name)))
-                for each in section.elements()
-            ]
-            self.rest.append(block(section.span, [element]))
+            x, y, z = direction or (0.0, 0.0, -1.0)
+            changed["dir"] = row(rotate(thing.pose.rotation, (x, y, z)))
+        return kept(thing, pose=Pose(UNTURNED, pose.position), changed=changed)
+    return kept(thing, pose=pose)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...diagnostics import YamaroError, did_you_mean, failure
+from .compiler import ORIENTATIONS, given_by
 from .document import text
 
 TYPE_CHECKING = False
@@ -22,16 +23,12 @@ ACTUATORS = (
     "cylinder", "muscle", "adhesion", "dcmotor", "plugin",
 )  # fmt: skip
 """The elements of the section `actuator`."""
-EQUALITIES = ("connect", "weld", "joint", "tendon", "flex", "flexstrain", "flexvert")
-"""The elements of the section `equality`."""
-TENDONS = ("spatial", "fixed")
-"""The elements of the section `tendon`."""
 
 
 class Classes:
     """The default classes of a model, by name: for each kind of element its attributes."""
 
-    __slots__ = ("_by_name",)
+    __slots__ = ("_actuators", "_by_name")
 
     def __init__(self, sections: Iterable[Element]) -> None:
         """Read the outermost `<default>` elements.
@@ -41,6 +38,7 @@ class Classes:
         """
         main: dict[str, Given] = {}
         self._by_name: dict[str, dict[str, Given]] = {MAIN: main}
+        self._actuators: dict[int, list[tuple[str, Given]]] = {id(main): []}
         pending: list[tuple[Element, dict[str, Given]]] = []
         for section in reversed([*sections]):
             name = text(section, "class")
@@ -55,6 +53,8 @@ class Classes:
                     inner.append(child)
                 else:
                     self._take(child, given)
+                    if child.name in ACTUATORS:
+                        self._actuators[id(given)].append((child.name, given_by(child)))
             begun = [(child, self._begin(child, given)) for child in inner]
             pending += reversed(begun)
 
@@ -76,15 +76,16 @@ class Classes:
             )
         own = {kind: dict(given) for kind, given in above.items()}
         self._by_name[name] = own
+        self._actuators[id(own)] = [*self._actuators[id(above)]]
         return own
 
     @staticmethod
     def _take(element: Element, given: dict[str, Given]) -> None:
-        kind = given.setdefault(element.name, {})
-        for name in element.attributes:
-            value = text(element, name)
-            if value is not None:
-                kind[name] = (value, element.value_span(name))
+        kind, own = given.setdefault(element.name, {}), given_by(element)
+        if any(name in own for name in ORIENTATIONS):
+            for name in ORIENTATIONS:
+                kind.pop(name, None)
+        kind.update(own)
 
     def of(self, name: str | None, span: Span) -> dict[str, Given]:
         """Return the attributes of each kind of element in a class.
@@ -98,6 +99,10 @@ class Classes:
         if found is None:
             raise unknown("default class", name, self._by_name, span)
         return found
+
+    def actuators(self, name: str | None, span: Span) -> list[tuple[str, Given]]:
+        """Return the elements for actuators in a class and those around it, in their order."""
+        return self._actuators[id(self.of(name, span))]
 
 
 def unknown(kind: str, name: str, known: Iterable[str], span: Span) -> YamaroError:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from math import radians
 
 from ...diagnostics import did_you_mean, failure
@@ -173,12 +172,6 @@ class Compiler:
     def angle(self, value: float) -> float:
         """Return an angle of the document in radians."""
         return radians(value) if self.has_degrees else value
-
-    def path(self, name: str, folder: str) -> str:
-        """Return the path of an asset, from the folder of the main file."""
-        if truth(self.given, "strippath", False):
-            name = os.path.basename(name.replace("\\", "/"))
-        return name if os.path.isabs(name) else os.path.join(folder, name)
 
     # --- frames ---
 

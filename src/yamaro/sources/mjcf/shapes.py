@@ -4,24 +4,35 @@ from __future__ import annotations
 
 from math import pi
 
-from ...model.pose import IDENTITY, Pose, rotation_from_z
+from ...model.pose import IDENTITY, UNTURNED, Pose, rotation_from_z
 from ...model.shapes import Box, Capsule, Cylinder, Sphere
-from .compiler import chosen, fault, number, numbers
+from .compiler import SMALLEST, chosen, fault, number, numbers, truth
 from .inertia import DENSITY, Mass, diagonal
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ...model.pose import Vector
     from ...model.shapes import SimpleShape
+    from .assets import Assets
+    from .meshes import MeshAsset
     from .tree import Placed
+
+    Sizes = tuple[float, ...]
 
 TYPES = (
     "plane", "hfield", "sphere", "capsule", "ellipsoid", "cylinder", "box", "mesh", "sdf",
 )  # fmt: skip
 SIZES = {"sphere": 1, "capsule": 2, "cylinder": 2, "ellipsoid": 3, "box": 3}
-"""How many sizes a shape has."""
+"""How many sizes a shape has: radii, and halves of lengths."""
+OF_MESHES = ("mesh", "sdf")
+CONNECTORS = ("capsule", "cylinder", "ellipsoid", "box")
+"""The shapes that can be given by two points."""
 HIDDEN = 3
 """The first of the groups that viewers hide."""
+THOMSEN = 1.6075
+"""The exponent of the surface of an ellipsoid; http://www.numericana.com/answer/ellipsoid.htm."""
+LAYER = 1e-6
+"""The thickness in m of the shell of an ellipsoid, as MuJoCo takes it."""
 
 
 class Geom:
@@ -29,38 +40,58 @@ class Geom:
 
     Attributes:
         thing: its element.
+        name: its name, made up if it has none.
         type: its type.
         pose: T_body_geom.
-        sizes: the radii and halves of lengths.
+        sizes: the radii and halves of lengths; none of a mesh.
         group: its group.
-        name: its name, made up if it has none.
+        mesh: the mesh that it is, or None.
     """
 
-    __slots__ = ("group", "name", "pose", "sizes", "thing", "type")
+    __slots__ = ("group", "mesh", "name", "pose", "sizes", "thing", "type")
 
-    def __init__(self, thing: Placed, name: str) -> None:
+    def __init__(self, thing: Placed, name: str, assets: Assets) -> None:
         """Read a geom.
 
         Raises:
-            YamaroError: a value is faulty.
+            YamaroError: a value is faulty, or the mesh is not there.
         """
         given = thing.given
         self.thing = thing
         self.name = name
-        self.type = chosen(given, "type", TYPES, "mesh" if False else "sphere")
+        self.type = chosen(given, "type", TYPES, "sphere")
         self.group = int(number(given, "group", 0.0))
-        self.sizes: tuple[float, ...] = tuple(numbers(given, "size", 1, 3) or ())
+        self.sizes: Sizes = tuple(numbers(given, "size", 1, 3) or ())
+        self.mesh: MeshAsset | None = None
+        named = given.get("mesh")
+        mesh = assets.mesh(*named) if named is not None else None
         ends = numbers(given, "fromto", 6)
         if ends is not None:
+            if self.type not in CONNECTORS:
+                raise fault(
+                    f"a {self.type} takes no 'fromto'",
+                    given["fromto"][1],
+                    f'write type="capsule"; {", ".join(CONNECTORS)} take it',
+                )
             pose, half = between(ends, thing)
             radius = self.sizes[0] if self.sizes else 0.0
-            round_ = self.type in ("capsule", "cylinder")
-            self.sizes = (radius, half) if round_ else (radius, radius, half)
+            is_round = self.type in ("capsule", "cylinder")
+            self.sizes = (radius, half) if is_round else (radius, radius, half)
         else:
             pose = thing.context.compiler.pose(given)
-        self.pose = pose if thing.pose is IDENTITY else thing.pose @ pose
+        if thing.pose is not IDENTITY:
+            pose = thing.pose @ pose
+        if self.type in OF_MESHES:
+            self.sizes = ()
+            self.mesh = mesh
+            if mesh is None:
+                raise fault("this geom names no mesh", thing.span, 'write mesh="…"')
+        elif mesh is not None:
+            self.sizes, place = self._fitted(mesh)
+            pose = pose @ place
+        self.pose = pose
         wanted = SIZES.get(self.type)
-        if wanted is not None and "mesh" not in given:
+        if wanted is not None:
             if len(self.sizes) < wanted or min(self.sizes[:wanted]) <= 0:
                 raise fault(
                     f"a {self.type} has {wanted} size{'s' if wanted > 1 else ''} above 0",
@@ -69,8 +100,38 @@ class Geom:
                 )
             self.sizes = self.sizes[:wanted]
 
+    def _fitted(self, mesh: MeshAsset) -> tuple[Sizes, Pose]:
+        """Return the sizes of a shape that fits a mesh, and T_geom_shape.
+
+        Source: MuJoCo, user_mesh.cc: FitGeom.
+        """
+        given = self.thing.given
+        pose, (a, b, c) = mesh.axes()
+        sizes: Sizes
+        if truth(self.thing.context.compiler.given, "fitaabb", False):
+            inverse = pose.inverse()
+            axes = [*zip(*map(inverse.apply, mesh.corners()[0]), strict=True)]
+            x, y, z = ((min(axis) + max(axis)) / 2 for axis in axes)
+            a, b, c = ((max(axis) - min(axis)) / 2 for axis in axes)
+            pose = pose @ Pose(UNTURNED, (x, y, z))
+            across = max(a, b)
+            sizes = {
+                "sphere": (max(a, b, c),),
+                "capsule": (across, c - across),
+                "cylinder": (across, c),
+            }.get(self.type, (a, b, c))
+        else:
+            across = (a + b) / 2
+            sizes = {
+                "sphere": ((a + b + c) / 3,),
+                "capsule": (across, max(0.0, c - across / 2)),
+                "cylinder": (across, c),
+            }.get(self.type, (a, b, c))
+        factor = number(given, "fitscale", 1.0)
+        return tuple(factor * size for size in sizes), pose
+
     def shape(self) -> SimpleShape | None:
-        """Return its shape as the model has it, or None if the model has no such shape."""
+        """Return its shape of numbers as the model has it, or None if the model has no such one."""
         sizes = self.sizes
         match self.type:
             case "box":
@@ -93,26 +154,38 @@ class Geom:
         return self.group < HIDDEN
 
     def mass(self) -> Mass | None:
-        """Return its mass at its pose in the body, or None if it is not of a shape with volume."""
+        """Return its mass at its pose in the body, or None if it has none."""
         given = self.thing.given
-        if self.type == "ellipsoid":
-            a, b, c = self.sizes
-            volume = 4 / 3 * pi * a * b * c
-            moments = ((b * b + c * c) / 5, (a * a + c * c) / 5, (a * a + b * b) / 5)
-        else:
-            shape = self.shape()
-            if shape is None:
-                return None
-            volume = shape.volume()
-            xx, _, _, yy, _, zz = shape.inertia(1.0)
-            moments = (xx, yy, zz)
-        weight = number(given, "density", DENSITY) * volume
-        weight = number(given, "mass", weight)
-        return Mass(weight, self.pose, diagonal(weight * each for each in moments))
+        weight = number(given, "mass", -1.0)
+        density = number(given, "density", DENSITY)
+        if (weight if weight >= 0 else density) <= SMALLEST:
+            return None
+        if self.mesh is not None:
+            found = self.mesh.moments()
+            mass = weight if weight >= 0 else density * found.size
+            share = mass / found.size
+            (a, b, c), (d, e, f), (g, h, i) = found.inertia
+            return Mass(
+                mass,
+                self.pose @ Pose(UNTURNED, found.center),
+                (
+                    (a * share, b * share, c * share),
+                    (d * share, e * share, f * share),
+                    (g * share, h * share, i * share),
+                ),
+            )
+        if self.type not in SIZES:
+            return None
+        is_shell = truth(given, "shellinertia", False)
+        size, moments = (_shell if is_shell else _solid)(self.type, self.sizes)
+        mass = weight if weight >= 0 else density * size
+        return Mass(mass, self.pose, diagonal(mass * each for each in moments))
 
 
 def between(ends: list[float], thing: Placed) -> tuple[Pose, float]:
-    """Return the pose in the middle of two points, its z axis along them, and half their distance.
+    """Return the pose in the middle of two points, and half their distance.
+
+    Its z axis points from the second to the first.
 
     Raises:
         YamaroError: they are at one place.
@@ -120,7 +193,85 @@ def between(ends: list[float], thing: Placed) -> tuple[Pose, float]:
     a, b = ends[:3], ends[3:]
     x, y, z = (p - q for p, q in zip(a, b, strict=True))
     length = (x * x + y * y + z * z) ** 0.5
-    if length <= 0:
+    if length < SMALLEST:
         raise fault("'fromto' has no length", thing.given["fromto"][1], "name two points")
     middle: Vector = ((a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2)
     return Pose(rotation_from_z((x / length, y / length, z / length)), middle), length / 2
+
+
+# --- volume and inertia of shapes -------------------------------------------------------------
+
+
+def _solid(kind: str, sizes: Sizes) -> tuple[float, Vector]:
+    """Return the volume of a shape in m³, and the moments of inertia for a mass of 1 kg."""
+    if kind == "ellipsoid":
+        a, b, c = sizes
+        moments = ((b * b + c * c) / 5, (a * a + c * c) / 5, (a * a + b * b) / 5)
+        return 4 / 3 * pi * a * b * c, moments
+    shape: SimpleShape
+    match kind:
+        case "box":
+            shape = Box(2 * sizes[0], 2 * sizes[1], 2 * sizes[2])
+        case "sphere":
+            shape = Sphere(sizes[0])
+        case "capsule":
+            shape = Capsule(sizes[0], 2 * sizes[1])
+        case _:
+            shape = Cylinder(sizes[0], 2 * sizes[1])
+    xx, _, _, yy, _, zz = shape.inertia(1.0)
+    return shape.volume(), (xx, yy, zz)
+
+
+def _shell(kind: str, sizes: Sizes) -> tuple[float, Vector]:
+    """Return the surface of a shape in m², and the moments of inertia of 1 kg spread over it.
+
+    Sources: https://en.wikipedia.org/wiki/List_of_moments_of_inertia, put together by the parallel
+    axis theorem; the surface of an ellipsoid is K. Thomsen's, and its inertia that between two
+    ellipsoids, as in MuJoCo.
+    """
+    r = sizes[0]
+    match kind:
+        case "sphere":
+            return 4 * pi * r * r, (2 / 3 * r * r,) * 3
+        case "capsule":
+            half, length = sizes[1], 2 * sizes[1]
+            area = 4 * pi * r * r + 2 * pi * r * length
+            ball = 4 * pi * r * r / area
+            tube = 1 - ball
+            # Two halves of a sphere: the centre of each is r/2 from its flat side.
+            across = tube * (6 * r * r + length * length) / 12
+            across += ball * (2 / 3 * r * r + (half + r / 2) ** 2 - r * r / 4)
+            return area, (across, across, tube * r * r + ball * 2 / 3 * r * r)
+        case "cylinder":
+            half, length = sizes[1], 2 * sizes[1]
+            area = 2 * pi * r * r + 2 * pi * r * length
+            ends = 2 * pi * r * r / area
+            tube = 1 - ends
+            across = tube * (6 * r * r + length * length) / 12
+            across += ends * (r * r / 4 + half * half)
+            return area, (across, across, tube * r * r + ends * r * r / 2)
+        case "ellipsoid":
+            a, b, c = sizes
+            powers = (a * b) ** THOMSEN + (b * c) ** THOMSEN + (c * a) ** THOMSEN
+            area = 4 * pi * (powers / 3) ** (1 / THOMSEN)
+            p, q, s = a + LAYER, b + LAYER, c + LAYER
+            inner, outer = a * b * c, p * q * s
+            share = 1 / (outer - inner)
+            return area, (
+                share * (outer * (q * q + s * s) - inner * (b * b + c * c)) / 5,
+                share * (outer * (p * p + s * s) - inner * (a * a + c * c)) / 5,
+                share * (outer * (p * p + q * q) - inner * (a * a + b * b)) / 5,
+            )
+        case _:
+            x, y, z = sizes
+            area = 8 * (x * y + y * z + z * x)
+            sides = (8 * y * z / area, 8 * z * x / area, 8 * x * y / area)  # of x, of y, of z
+            spread = [
+                sum(
+                    share * (own * own if side == axis else own * own / 3)
+                    for side, share in enumerate(sides)
+                )
+                for axis, own in enumerate((x, y, z))
+            ]
+            xx, yy, zz = spread
+            return area, (yy + zz, xx + zz, xx + yy)

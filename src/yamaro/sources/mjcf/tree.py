@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import os
+
 from ...diagnostics import failure
 from ...model.pose import IDENTITY, Pose
 from .classes import Classes
-from .compiler import ORIENTATIONS, Compiler, given_by
+from .compiler import ORIENTATIONS, Compiler, given_by, truth
 from .document import BODY, WORLD, Document, text
 
 TYPE_CHECKING = False
@@ -18,8 +20,8 @@ if TYPE_CHECKING:
     from .classes import Given
     from .document import Document
 
-OF_BODIES = ("joint", "freejoint", "geom", "site", "inertial")
-"""What a body holds that is looked at, besides other bodies."""
+OF_BODY = frozenset(("gravcomp", "mocap", "user", "sleep", "fuse", "simple"))
+"""What a body says of itself besides its pose."""
 _KINDS = {"equality": "equality", "tendon": "tendon"}
 """The default element of all that is in a section."""
 NAMELESS = ("class", "childclass")
@@ -182,7 +184,7 @@ class Context:
         if section == "actuator" and element.name != "plugin":
             from .actuators import defaults
 
-            base = defaults(kinds, element.name)
+            base = defaults(self.classes.actuators(name, span), element.name)
         elif section in ("", "asset", "contact", "equality", "tendon"):
             base = kinds.get(_KINDS.get(section, element.name), {})
         else:
@@ -195,6 +197,17 @@ class Context:
                 if each not in own:
                     merged.pop(each, None)
         return merged
+
+    def path(self, name: str, folder: str) -> str:
+        """Return the absolute path of a file that the document names.
+
+        Args:
+            name: the file.
+            folder: `meshdir` or `texturedir`.
+        """
+        if truth(self.compiler.given, "strippath", False):
+            name = os.path.basename(name.replace("\\", "/"))
+        return os.path.normpath(os.path.join(self.document.folder, folder, name))
 
     def things(self, section: str) -> list[Thing]:
         """Return the elements of all sections of a name."""

@@ -1,0 +1,247 @@
+"""Joints: what moves a body on the one that it is in, as joints of the model.
+
+Several joints of one body are a chain of links without mass. Where the last one is not at the
+origin of the body, the body is fixed to the link that it moves.
+"""
+
+from __future__ import annotations
+
+from ...model import making
+from ...model.joint import CONTINUOUS, FLOATING, PRISMATIC, REVOLUTE, Dynamics, Limit
+from ...model.making import Place
+from ...model.pose import IDENTITY, UNTURNED, ZERO, Pose, rotate, rotation_about
+from .blocks import block, in_radians, kept, row, setting
+from .building import type_of
+from .compiler import chosen, fault, numbers, unit_axis, vector
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ...model.pose import Vector
+    from ...source import Span
+    from ...xml.tree import Node
+    from .building import Builder
+    from .tree import Body, Placed
+
+Z_AXIS = (0.0, 0.0, 1.0)
+UNBOUNDED = 1e16
+"""The effort and velocity of a joint that bounds neither: URDF wants a number, and takes it so."""
+ANGLES = ("range", "ref", "springref", "springyield")
+HELD = frozenset(("type", "pos", "axis", "range", "limited"))
+"""What the model has of a joint."""
+LIMITED = ("true", "false", "auto")
+
+
+def add_joints(builder: Builder, body: Body, parent: str) -> None:
+    """Add the joints between a body and the one that it is in, with links in between."""
+    kinds = [type_of(joint) for joint in body.joints]
+    if kinds == ["free"]:
+        _add_free(builder, body, parent)
+        return
+    origin, at = body.pose, ZERO
+    moving = [j for j, k in zip(body.joints, kinds, strict=True) if k in ("slide", "hinge")]
+    places = [_place(joint, kind) for joint, kind in zip(body.joints, kinds, strict=True)]
+    ends_in_body = bool(moving) and _ends_at_origin(kinds, places) and kinds[-1] != "ball"
+    for joint, kind, where in zip(body.joints, kinds, places, strict=True):
+        if kind == "free":
+            raise fault(
+                "a body with a free joint has no other joint", joint.span, "remove one of them"
+            )
+        if kind == "ball":
+            builder.keep(body.name, kept(joint, changed=_in_body(joint, where)))
+            continue
+        if where is not None and where != at:
+            dx, dy, dz = (p - q for p, q in zip(where, at, strict=True))
+            origin = origin @ Pose(UNTURNED, (dx, dy, dz))
+            at = where
+        is_last = joint is moving[-1] and ends_in_body
+        name = builder.fresh("joint", f"{body.name}_joint") if not joint.name else joint.name
+        child = body.name if is_last else builder.fresh("body", f"{name}_link")
+        _add(builder, joint, kind, name, parent, child, origin, is_marked=not is_last)
+        if not is_last:
+            place = Place(joint.span, {"name": joint.name_span})
+            builder.links.append(making.link(place, name=child).element)
+        parent, origin = child, IDENTITY
+    if not ends_in_body:
+        x, y, z = at
+        pose = origin @ Pose(UNTURNED, (-x, -y, -z)) if moving else origin
+        builder.add_fixed(body.thing, f"{body.name}_fixed", parent, body.name, pose)
+
+
+def _place(joint: Placed, kind: str) -> Vector | None:
+    """Return where the axis of a joint is in its body; None for one that slides."""
+    if kind == "slide":
+        return None
+    where = vector(joint.given, "pos")
+    return where if joint.pose is IDENTITY else joint.pose.apply(where)
+
+
+def _ends_at_origin(kinds: list[str], places: list[Vector | None]) -> bool:
+    """Return whether what the last joint moves is at the origin of the body."""
+    turning = [p for k, p in zip(kinds, places, strict=True) if k == "hinge"]
+    return not turning or turning[-1] == ZERO
+
+
+def _in_body(joint: Placed, where: Vector | None) -> dict[str, object]:
+    """Return the attributes of a ball joint for a block."""
+    found: dict[str, object] = in_radians(joint, "range", "springyield")
+    found["pos"] = row(where) if where is not None and any(where) else None
+    found["axis"] = None
+    return found
+
+
+def _add_free(builder: Builder, body: Body, parent: str) -> None:
+    joint = body.joints[0]
+    if parent != builder.world.name:
+        raise fault(
+            "a body with a free joint is a child of the world", joint.span, "move it to <worldbody>"
+        )
+    name = joint.name or builder.fresh("joint", f"{body.name}_free")
+    made = making.joint(
+        Place(joint.span, {"name": joint.name_span}),
+        name=name,
+        type=FLOATING,
+        parent=parent,
+        child=body.name,
+        origin=builder.origin(body.thing, body.pose),
+    )
+    builder.keep_free(body, joint)
+    builder.joints.append(made.element)
+
+
+def _add(
+    builder: Builder,
+    thing: Placed,
+    kind: str,
+    name: str,
+    parent: str,
+    child: str,
+    origin: Pose,
+    *,
+    is_marked: bool,
+) -> None:
+    """Add one joint; `is_marked` where it is one of several, or beside the body's origin."""
+    given, compiler = thing.given, thing.context.compiler
+    angle = compiler.angle if kind == "hinge" else float
+    axis = unit_axis(given, Z_AXIS)
+    if thing.pose is not IDENTITY:
+        axis = rotate(thing.pose.rotation, axis)
+    extras: list[Node] = []
+    reference = numbers(given, "ref", 1)
+    if reference is not None and reference[0]:
+        shift = -angle(reference[0])
+        step = (
+            Pose(rotation_about(axis, shift), ZERO)
+            if kind == "hinge"
+            else Pose(UNTURNED, (axis[0] * shift, axis[1] * shift, axis[2] * shift))
+        )
+        origin = origin @ step
+    if is_marked:
+        where = _place(thing, "hinge")
+        extras.append(setting("pos", row(where or ZERO), thing.element.value_span("pos")))
+    ends = numbers(given, "range", 2)
+    limited = chosen(given, "limited", LIMITED, "auto")
+    has_range = ends is not None and any(ends)
+    is_limited = limited == "true" or (limited == "auto" and compiler.autolimits and has_range)
+    lower, upper = map(angle, ends or (0.0, 0.0))
+    if is_limited and lower >= upper:
+        raise fault(
+            "the first number of 'range' is less than the second",
+            given["range"][1] if ends is not None else thing.span,
+            'write range="-1 1"',
+        )
+    if has_range and not is_limited:
+        extras.append(setting("range", row((lower, upper)), given["range"][1]))
+        extras.append(setting("limited", "false", thing.span))
+    room = (lower, upper) if is_limited else None
+    if kind == "slide" and room is None:
+        room = (-UNBOUNDED, UNBOUNDED)
+    limit = _limit(builder, thing, name, room, extras)
+    dynamics = _dynamics(thing, extras)
+    for key, (value, span) in given.items():
+        if key in ("ref", "springref", "springyield"):
+            extras.append(setting(key, row(map(angle, map(float, value.split()))), span))
+        elif key == "armature" and builder.drives.noted(name) is not None:
+            builder.armatures[name] = (value, span)
+        elif key not in HELD and key not in _ELSEWHERE:
+            extras.append(setting(key, value, span))
+    made = making.joint(
+        Place(thing.span, {"name": thing.name_span}),
+        name=name,
+        type=PRISMATIC if kind == "slide" else REVOLUTE if is_limited else CONTINUOUS,
+        parent=parent,
+        child=child,
+        origin=builder.origin(thing, origin),
+        axis=axis,
+        limit=limit,
+        mimic=builder.mimics.get(name),
+        dynamics=dynamics,
+    )
+    extras += builder.drives.elements(made)
+    if extras:
+        made.element.children.append(block(thing.span, extras))
+    builder.joints.append(made.element)
+
+
+_ELSEWHERE = frozenset(
+    (
+        "damping", "frictionloss", "actuatorfrcrange", "actuatorfrclimited", "ref", "springref",
+        "springyield",
+    )
+)  # fmt: skip
+
+
+def _limit(
+    builder: Builder,
+    thing: Placed,
+    name: str,
+    ends: tuple[float, float] | None,
+    extras: list[Node],
+) -> Limit | None:
+    """Return the limit of a joint, or None if it has none; append what it does not hold.
+
+    Where the joint does not bound the effort, it is that of its actuators.
+    """
+    given = thing.given
+    force = numbers(given, "actuatorfrcrange", 2)
+    flag = chosen(given, "actuatorfrclimited", LIMITED, "auto")
+    is_bounded = flag == "true" or (
+        flag == "auto" and thing.context.compiler.autolimits and force is not None and any(force)
+    )
+    span = thing.element.value_span("range")
+    places: dict[str, Span] = {"lower": span, "upper": span}
+    values: dict[str, float] = {}
+    if force is not None and is_bounded:
+        values["effort"] = max(map(abs, force))
+        places["effort"] = given["actuatorfrcrange"][1]
+        if force[0] != -force[1]:
+            extras.append(setting("actuatorfrcrange", row(force), places["effort"]))
+    else:
+        if force is not None:
+            extras.append(setting("actuatorfrcrange", row(force), given["actuatorfrcrange"][1]))
+        effort = builder.drives.effort(name)
+        if effort:
+            values["effort"] = effort
+        if force is not None or effort:
+            extras.append(setting("actuatorfrclimited", "false", thing.span))
+    if ends is None and not values:
+        return None
+    if ends is not None:
+        values |= {"lower": ends[0], "upper": ends[1]}
+    whole = {"effort": UNBOUNDED, "velocity": UNBOUNDED, **values}
+    return making.part(Limit, Place(thing.span, places), **whole)
+
+
+def _dynamics(thing: Placed, extras: list[Node]) -> Dynamics | None:
+    """Return the damping and friction of a joint; append what they do not hold."""
+    values: dict[str, float] = {}
+    places: dict[str, Span] = {}
+    for name, attribute in (("damping", "damping"), ("friction", "frictionloss")):
+        found = numbers(thing.given, attribute, 1, 3)
+        if found is None:
+            continue
+        span = thing.given[attribute][1]
+        if any(found[1:]) or found[0] < 0:
+            extras.append(setting(attribute, row(found), span))
+        if found[0] > 0:
+            values[name], places[name] = found[0], span
+    return making.part(Dynamics, Place(thing.span, places), **values) if values else None
