@@ -6,6 +6,7 @@ namespace `newton`, https://pypi.org/project/newton-usd-schemas/.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from math import degrees, isfinite, radians
 
@@ -41,7 +42,7 @@ def read(text: str, own: Mapping[str, str]) -> Iterator[Key]:
         elif prim.GetTypeName() == "NewtonActuator":  # in place of a drive
             (joint,) = prim.GetRelationship("newton:targets").GetTargets()
             yield ("actuated", own.get(joint.name, joint.name))
-        elif (
+        elif prim.IsInstance() or (
             prim.IsA(UsdGeom.Gprim)
             and "NewtonSiteAPI" not in prim.GetPrimTypeInfo().GetAppliedAPISchemas()
         ):
@@ -122,22 +123,44 @@ def _joint(prim: Usd.Prim, name: str, own: Mapping[str, str]) -> Iterator[Key]:
 
 
 def _shape(prim: Usd.Prim) -> Iterator[Key]:
-    kind = "collision" if prim.HasAPI(UsdPhysics.CollisionAPI) else "visual"
+    meshes = list(Usd.PrimRange(prim, Usd.TraverseInstanceProxies()))[1:]
+    inner = meshes[0] if prim.IsInstance() else prim
+    kind = "collision" if inner.HasAPI(UsdPhysics.CollisionAPI) else "visual"
     name = prim.GetTypeName()
+    scale = prim.GetAttribute("xformOp:scale").Get()
+    shape = inner.GetParent().GetCustomDataByKey("shape") if prim.IsInstance() else None
     if name == "Cube":
         side = UsdGeom.Cube(prim).GetSizeAttr().Get()
-        scale = prim.GetAttribute("xformOp:scale").Get()
         yield (kind, "box", *(side * each for each in scale))
     elif name in ROUND:
         yield (kind, name.lower(), *(prim.GetAttribute(each).Get() for each in ROUND[name]))
+    elif shape:  # whose mesh has the size 1, or the radius 1
+        length = inner.GetParent().GetCustomDataByKey("lengthOfRadius") or 0.0
+        x, y, z = scale
+        sizes = {"box": (x, y, z), "cylinder": (x, z), "sphere": (x,), "capsule": (x, length * x)}
+        yield (kind, shape, *sizes[shape])
+        low, high = inner.GetAttribute("extent").Get()
+        extent = [(b - a) * s for a, b, s in zip(low, high, scale, strict=True)]
+        radii = {"box": (x, y, z), "capsule": (2 * x, 2 * x, (length + 2) * x)}
+        expected = radii.get(shape, (2 * x, 2 * x, 2 * x if shape == "sphere" else z))
+        if any(abs(a - b) > 1e-6 * b for a, b in zip(extent, expected, strict=True)):
+            yield (kind, shape, "of another size", *extent)
     else:
-        yield (kind, name.lower())
-    bound = UsdShade.MaterialBindingAPI(prim)
-    look = bound.GetDirectBinding().GetMaterial() if kind == "visual" else None
+        yield (kind, "mesh")
+    bound = UsdShade.MaterialBindingAPI(inner)
+    look = bound.ComputeBoundMaterial()[0] if kind == "visual" else None
     if look:
+        is_mesh = "mesh" if prim.IsInstance() and not shape else "shape"
         shader = UsdShade.Shader(look.ComputeSurfaceSource()[0])
         color, alpha = (shader.GetInput(each).Get() for each in ("diffuseColor", "opacity"))
-        yield ("color", "mesh" if name == "Mesh" else "shape", *color, alpha)
+        image = look.GetPrim().GetChild("texture")
+        if image:
+            color = image.GetAttribute("inputs:scale").Get()[:3]
+            path = image.GetAttribute("inputs:file").Get().path
+            name = re.sub(r"-[0-9a-f]{12}(?=\.)", "", path.rpartition("/")[2])  # by its content
+            yield ("texture", is_mesh, name)
+        if color is not None:
+            yield ("color", is_mesh, *color, alpha)
     friction = bound.GetDirectBinding("physics").GetMaterial()
     if friction:
         prim = friction.GetPrim()

@@ -161,7 +161,11 @@ class _Read:
         center = np.where(np.isfinite(center), center, 0.0)
         body = pin.Inertia(mass.GetMassAttr().Get(), center, inertia)
         self.model.appendBodyToJoint(number, body, placement)
-        inner = [prim, *(each for each in prim.GetAllChildren() if each.GetTypeName() == "Xform")]
+        inner = [
+            each
+            for each in (prim, *prim.GetAllChildren())
+            if each.GetTypeName() == "Xform" and not each.IsInstance()
+        ]
         for each in inner:
             at = placement * self._world(prim).inverse() * self._world(each)
             frame = pin.Frame(each.GetName(), number, at, pin.FrameType.OP_FRAME)

@@ -115,8 +115,8 @@ def deliver_formats(
     if goes_to_standard_output(arguments):
         if any(name.startswith(f"{FOLDER}/") for name in build.assets):
             raise WrongUsage(
-                f"the {TARGETS[build.format].title} of this robot needs files of meshes beside it: "
-                "name it with -o FILE, or write --meshes none"
+                f"the {TARGETS[build.format].title} of this robot needs files of meshes or "
+                "textures beside it: name it with -o FILE, or write --meshes none"
             )
         return deliver(chunks, arguments, streams)
     builds = list(build.outputs.values())

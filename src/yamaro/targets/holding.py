@@ -110,7 +110,7 @@ ROWS: dict[str, tuple[Cell, Cell, Cell, Cell]] = {
     "mesh.scale": ("scale", "scale", "scale", "points"),
     "material.name": ("name", _lost("names of materials"), "name", "name"),
     "color.rgba": ("rgba", "diffuse", "rgba", "inputs:diffuseColor"),
-    "texture.filename": ("filename", "albedo_map", "file", _lost("textures")),
+    "texture.filename": ("filename", "albedo_map", "file", "inputs:file"),
     "joint.name": ("name", "name", "name", "name"),
     "joint.type": ("type", "type", "type", "type"),
     "parent.link": ("link", "parent", "body", "physics:body0"),

@@ -65,6 +65,9 @@ def stage_of(text: str, tmp_path: Path, **given: Any) -> tuple[Any, yamaro.Build
     build = yamaro.build(path, target="usd", **given)
     usd = tmp_path / f"{given.get('base', 'robot')}.usda"  # OpenUSD keeps what it has read
     usd.write_text(build.xml())
+    for name, data in build.assets.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_bytes(data)
     assert usd_judges.complaints_of(usd) == []
     return Usd.Stage.Open(str(usd)), build
 
@@ -339,8 +342,7 @@ model:
 
 
 def test_shapes_of_one_mesh_and_scale_share_its_triangles(tmp_path: Path) -> None:
-    import numpy as np
-    from pxr import UsdGeom, UsdPhysics
+    from pxr import Usd, UsdGeom, UsdPhysics
 
     facets = "".join(
         "facet normal 0 0 0\nouter loop\n"
@@ -354,11 +356,14 @@ def test_shapes_of_one_mesh_and_scale_share_its_triangles(tmp_path: Path) -> Non
     assert build.xml().count("point3f[] points") == 3
     scales = {"w0": (1, 1, 1), "w1": (1, 1, 1), "w2": (2, 1, 1), "w3": (1, -1, 1)}
     found = 0
-    for prim in stage.Traverse():
+    kinds: dict[Any, set[str]] = {}
+    for prim in stage.Traverse(Usd.TraverseInstanceProxies()):
         if not prim.IsA(UsdGeom.Mesh):
             continue
         found += 1
-        mesh, scale = UsdGeom.Mesh(prim), np.array(scales[prim.GetName()[:2]])
+        instance = prim.GetParent()
+        kinds.setdefault(instance.GetPrototype().GetPath(), set()).add(instance.GetName())
+        mesh, scale = UsdGeom.Mesh(prim), np.array(scales[instance.GetName()[:2]])
         points = np.array(mesh.GetPointsAttr().Get())
         expected = {tuple(np.round(np.array(corner) * scale, 6)) for corner in CORNERS}
         assert {tuple(np.round(point.astype(float), 6)) for point in points} == expected
@@ -366,8 +371,13 @@ def test_shapes_of_one_mesh_and_scale_share_its_triangles(tmp_path: Path) -> Non
         corners = points[np.array(mesh.GetFaceVertexIndicesAttr().Get()).reshape(-1, 3)]
         volume = np.linalg.det(corners).sum() / 6  # positive if all faces look outwards
         assert volume == pytest.approx(0.1 * 0.2 * 0.3 / 6 * scale[0], rel=1e-5)
-        assert prim.HasAPI(UsdPhysics.CollisionAPI) == ("collision" in prim.GetName())
+        normals = np.array(mesh.GetNormalsAttr().Get())
+        edges = corners[:, 1:] - corners[:, :1]
+        assert np.abs(np.einsum("ijk,ik->ij", edges, normals)).max() < 1e-6
+        assert np.einsum("ij,ij->i", np.cross(*edges.swapaxes(0, 1)), normals).min() > 0
+        assert prim.HasAPI(UsdPhysics.CollisionAPI) == ("collision" in instance.GetName())
     assert found == 8
+    assert sorted(map(len, kinds.values())) == [1, 1, 1, 1, 2, 2]  # w0 and w1 are of one kind
 
 
 def test_materials_keep_their_names(tmp_path: Path) -> None:

@@ -11,21 +11,27 @@ from ...diagnostics import failure
 from ...meshes.formats import MeshFileError, MissingLibraryError
 from ...model.link import Collision
 from ...model.shapes import Box, Capsule, Cylinder, Sphere
+from ..assets import named_by_content
 from ..losses import Losses
 from ..mesh_contents import MeshContents
+from ..output import FOLDER
+from .meshes import Prototypes
 from .prims import place, set_values
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from ...meshes.surfaces import Surface
     from ...model.extras import Surface as Friction
     from ...model.link import Link, Material, Visual
-    from ...model.pose import Pose, Vector
+    from ...model.pose import Pose
     from ...model.robot import Robot
     from ...model.shapes import Mesh, SimpleShape
     from ..output import Wanted
     from .prims import Names
 
     Color = tuple[float, ...]
+    Image = str
 
 CONTACTS = (
     ("NewtonMaterialAPI", "newton", "contact"),
@@ -34,10 +40,19 @@ CONTACTS = (
 """Where the stiffness and the damping of contacts are: schemas, their namespaces, and words."""
 
 
+SIMPLE = (Box, Sphere, Cylinder, Capsule)
+WHITE = (1.0, 1.0, 1.0, 1.0)
+PLAIN = (0.5, 0.5, 0.5, 1.0)
+"""The colour of what has none, as in MuJoCo."""
+CORNERS = "corners"
+"""In place of an image: the colours of the corners of a mesh."""
+
+
 class ShapeWriter:
     """Makes the shapes of one robot.
 
     Attributes:
+        files: the textures that are beside the document, by their paths.
         losses: what USD cannot hold of them.
     """
 
@@ -58,73 +73,116 @@ class ShapeWriter:
         self._wanted = wanted
         self._names = names
         self._folder = names.new(root, "materials")
-        self._root = root
-        self._mesh_folder = ""
-        self._meshes: dict[tuple[str, Vector, int], str] = {}
-        self._looks: dict[tuple[str, Color], UsdShade.Material] = {}
+        self._prototypes = Prototypes(stage, names, root)
+        self._looks: dict[tuple[str, Color, Image | None], UsdShade.Material] = {}
         self._frictions: dict[tuple[float | None, ...], UsdShade.Material] = {}
         self._contents = MeshContents(wanted.paths)
         self._surfaces = {(each.link, each.index): each for each in robot.surfaces}
+        self.files: dict[str, bytes] = {}
         self.losses = Losses()
 
     def add(self, link: Link, path: str) -> None:
         """Write the shapes of a link under its prim."""
         for index, collision in enumerate(link.collisions):
             surface = self._surfaces.get((link.name, index))
-            name = collision.name or f"{link.name}_collision"
-            for prim, _ in self._made(link, path, collision, name):
+            prim = self._collision(link, path, collision, surface)
+            if prim is not None:
                 UsdGeom.Imageable(prim).CreatePurposeAttr(UsdGeom.Tokens.guide)
-                UsdPhysics.CollisionAPI.Apply(prim)
-                if prim.IsA(UsdGeom.Mesh):
-                    mesh = UsdPhysics.MeshCollisionAPI.Apply(prim)
-                    mesh.CreateApproximationAttr("convexHull")
-                if surface is not None:
-                    self._bind_friction(prim, surface)
         for visual in link.visuals:
-            name = visual.name or f"{link.name}_visual"
-            material = self._robot.material_of(visual)
-            color = material.color if material is not None else None
-            if material is not None and material.texture is not None:
-                inner = material.inner("texture")
-                span = inner.value_span("filename") if inner is not None else material.span
-                label = f"'{material.texture}' of link '{link.name}'"
-                self.losses.lose("textures", link, label=label, span=span)
-            for prim, own in self._made(link, path, visual, name):
-                if color is not None and material is not None:
-                    self._bind_look(prim, color, link, material)
-                elif own is not None:
-                    self._bind_look(prim, own, link)
+            self._visual(link, path, visual)
 
-    def _made(
-        self, link: Link, path: str, item: Collision | Visual, name: str
-    ) -> list[tuple[Usd.Prim, Color | None]]:
-        """Return the prims of a shape, each with the colour that its mesh gives it."""
-        shape, pose = item.shape, item.pose
-        if shape is None:
-            return []
-        if isinstance(shape, (Box, Sphere, Cylinder, Capsule)):
-            if min(shape.size) <= 0:
-                what = "shapes with a size that is not positive"
-                label = f"{shape.kind} of link '{link.name}'"
-                self.losses.lose(what, link, part=item, label=label)
-                return []
-            return [(self._simple(shape, self._path(link, path, item, name), pose), None)]
-        if not self._wanted.has_meshes:
-            return []
-        surfaces = self._surfaces_of(link, shape, item)
-        return [
-            (self._mesh(at, shape, index, surface, pose), surface.color)
-            for index, surface in enumerate(surfaces)
-            for at in [self._path(link, path, item, name, is_first=not index)]
-        ]
+    def _collision(
+        self, link: Link, path: str, collision: Collision, surface: Friction | None
+    ) -> Usd.Prim | None:
+        shape, name = collision.shape, collision.name or f"{link.name}_collision"
+        if shape is None or not self._is_written(link, collision):
+            return None
+        friction = self._friction(surface) if surface is not None else None
 
-    def _path(
-        self, link: Link, path: str, item: Collision | Visual, name: str, *, is_first: bool = True
-    ) -> str:
-        """Return the path of a new shape; the name that a file gives it is that of its first."""
+        def collide(prim: Usd.Prim) -> None:
+            """Bind where the shape is: from an instance, physics takes no material."""
+            UsdPhysics.CollisionAPI.Apply(prim)
+            if friction is not None:
+                binding = UsdShade.MaterialBindingAPI.Apply(prim)
+                binding.Bind(friction, UsdShade.Tokens.weakerThanDescendants, "physics")
+
+        def collide_as_hull(prim: Usd.Prim, surface: Surface) -> None:
+            collide(prim)
+            UsdPhysics.MeshCollisionAPI.Apply(prim).CreateApproximationAttr("convexHull")
+
+        if isinstance(shape, SIMPLE):
+            prim = self._simple(shape, self._path(link, path, collision, name), collision.pose)
+            collide(prim)
+            return prim
+        surfaces = self._surfaces_of(link, shape, collision)
+        if not surfaces:
+            return None
+        key = ("collision", str(friction.GetPath()) if friction is not None else "")
+        stem = f"{_stem(shape)}_collision"
+        kind = self._prototypes.of_mesh(shape, stem, surfaces, key=key, finish=collide_as_hull)
+        prim = self._instance(self._path(link, path, collision, name), kind, collision.pose)
+        at = collision.pose
+        if any(each.shape == shape and each.pose == at for each in link.visuals):
+            UsdGeom.Imageable(prim).MakeInvisible()  # even where guides are shown
+        return prim
+
+    def _visual(self, link: Link, path: str, visual: Visual) -> None:
+        shape, name = visual.shape, visual.name or f"{link.name}_visual"
+        if shape is None or not self._is_written(link, visual):
+            return
+        material = self._robot.material_of(visual)
+        image = self._image_of(link, material) if material is not None else None
+        color = material.color if material is not None else None
+        scale, has_look = None, False
+        if isinstance(shape, SIMPLE):
+            kind, scale = self._prototypes.of_simple(shape, has_texture=image is not None)
+        else:
+            surfaces = self._surfaces_of(link, shape, visual)
+            if not surfaces:
+                return
+            if image is not None and any(each.texture_points is None for each in surfaces):
+                self._lose_texture(
+                    link, material, "textures of meshes without coordinates for them"
+                )
+                image = None
+            is_own = color is None and image is None
+            has_look = is_own and all(each.has_look for each in surfaces)
+            look = self._own_look(link, _stem(shape)) if is_own else _nothing
+            key = ("own look" if is_own else "",)
+            kind = self._prototypes.of_mesh(shape, _stem(shape), surfaces, key=key, finish=look)
+        prim = self._instance(self._path(link, path, visual, name), kind, visual.pose, scale)
+        if color is not None or image is not None:
+            bound = self._look(color or WHITE, image, link, material)
+            _bind(prim, bound, color or WHITE)
+        elif not has_look:
+            _bind(prim, self._look(PLAIN, None, link), PLAIN)
+
+    def _is_written(self, link: Link, item: Collision | Visual) -> bool:
+        """Return whether a shape can be; note if it cannot."""
+        shape = item.shape
+        if isinstance(shape, SIMPLE) and min(shape.size) <= 0:
+            what = "shapes with a size that is not positive"
+            label = f"{shape.kind} of link '{link.name}'"
+            self.losses.lose(what, link, part=item, label=label)
+            return False
+        return isinstance(shape, SIMPLE) or self._wanted.has_meshes
+
+    def _instance(
+        self, path: str, prototype: str, pose: Pose, scale: tuple[float, ...] | None = None
+    ) -> Usd.Prim:
+        """Return a new instance of a prototype, whose meshes no instance can change."""
+        xform = UsdGeom.Xform.Define(self._stage, path)
+        prim = xform.GetPrim()
+        prim.GetReferences().AddInternalReference(prototype)
+        prim.SetInstanceable(True)
+        place(xform, pose, scale)
+        return prim
+
+    def _path(self, link: Link, path: str, item: Collision | Visual, name: str) -> str:
+        """Return the path of a new shape."""
         found = self._names.new(path, name)
         new = found.rpartition("/")[2]
-        if is_first and item.name and new != name:
+        if item.name and new != name:
             kind = "collisions" if isinstance(item, Collision) else "visuals"
             label = f"'{name}' of link '{link.name}'"
             self.losses.rename(kind, link, part=item, label=label, new=new)
@@ -154,41 +212,6 @@ class ShapeWriter:
         place(round_shape, pose)
         return round_shape.GetPrim()
 
-    # --- meshes ---
-
-    def _mesh(self, path: str, shape: Mesh, index: int, surface: Surface, pose: Pose) -> Usd.Prim:
-        """Return a mesh; its triangles are in a class, which all shapes of one file share."""
-        key = (shape.filename, shape.scale, index)
-        if key not in self._meshes:
-            if not self._meshes:
-                self._mesh_folder = self._names.new(self._root, "meshes")
-                self._stage.DefinePrim(self._mesh_folder, "Scope")
-            stem = os.path.splitext(shape.filename.replace("\\", "/").rpartition("/")[2])[0]
-            at = self._meshes[key] = self._names.new(self._mesh_folder, stem)
-            import numpy as np
-
-            mesh = UsdGeom.Mesh(self._stage.DefinePrim(at, "Mesh"))
-            mesh.GetPrim().SetSpecifier(Sdf.SpecifierClass)
-            corners = (surface.points * shape.scale).astype("float32")
-            # Triangles of STL have corners of their own; those at one place become one point.
-            points, indices = np.unique(corners, axis=0, return_inverse=True)
-            triangles = indices.reshape(-1)[surface.triangles]
-            x, y, z = shape.scale
-            if x * y * z < 0:  # mirrored
-                triangles = triangles[:, ::-1]
-            mesh.CreatePointsAttr(Vt.Vec3fArray.FromNumpy(points))
-            mesh.CreateFaceVertexIndicesAttr(
-                Vt.IntArray.FromNumpy(triangles.astype("int32").ravel())
-            )
-            mesh.CreateFaceVertexCountsAttr([3] * len(triangles))
-            mesh.CreateSubdivisionSchemeAttr(UsdGeom.Tokens.none)
-            low, high = points.min(axis=0).tolist(), points.max(axis=0).tolist()
-            mesh.CreateExtentAttr([Gf.Vec3f(*low), Gf.Vec3f(*high)])
-        mesh = UsdGeom.Mesh.Define(self._stage, path)
-        mesh.GetPrim().GetReferences().AddInternalReference(self._meshes[key])
-        place(mesh, pose)
-        return mesh.GetPrim()
-
     def _surfaces_of(self, link: Link, shape: Mesh, item: Collision | Visual) -> list[Surface]:
         """Return the surfaces of a mesh; note what USD does not take of it."""
         span = shape.span or link.span
@@ -204,37 +227,104 @@ class ShapeWriter:
         if isinstance(item, Collision):
             what, how = "meshes of collisions", "their convex hulls"
             self.losses.approximate(what, link, part=item, how=how)
-        elif any(each.texture is not None for each in surfaces):
-            self.losses.lose("textures", link, label=label, span=span)
         return surfaces
 
-    # --- materials ---
+    # --- looks ---
 
-    def _bind_look(
-        self, prim: Usd.Prim, color: Color, link: Link, written: Material | None = None
-    ) -> None:
-        """Show a shape in a colour: that of a material of the robot, or its own."""
+    def _image_of(self, link: Link, material: Material) -> Image | None:
+        """Return the texture of a material of the robot; None without one, or if it is lost."""
+        if material.texture is None:
+            return None
+        inner = material.inner("texture")
+        span = inner.value_span("filename") if inner is not None else material.span
+        path = self._contents.path_of(material.texture, span)
+        try:
+            if path is not None:
+                return self._image(self._contents.texture_of(path), _stem_of(material.texture))
+        except (MeshFileError, MissingLibraryError):
+            pass
+        self._lose_texture(link, material, "textures that are not found or cannot be read")
+        return None
+
+    def _lose_texture(self, link: Link, material: Material | None, what: str) -> None:
+        assert material is not None
+        inner = material.inner("texture")
+        span = inner.value_span("filename") if inner is not None else material.span
+        label = f"'{material.texture}' of link '{link.name}'"
+        self.losses.lose(what, link, label=label, span=span)
+
+    def _image(self, data: bytes, stem: str) -> Image:
+        """Return the path of an image, which is a file beside the document."""
+        name = f"{FOLDER}/{named_by_content(stem, '.png', [data])}"
+        self.files[name] = data
+        return f"./{name}"
+
+    def _own_look(self, link: Link, stem: str) -> Callable[[Usd.Prim, Surface], None]:
+        """Return what gives a mesh the look of a surface: a texture, colours, or a colour."""
+
+        def look(prim: Usd.Prim, surface: Surface) -> None:
+            color = surface.color or WHITE
+            if surface.texture is not None and surface.texture_points is not None:
+                image = self._image(encoded(surface.texture), stem)
+                _bind(prim, self._look(WHITE, image, link), WHITE)
+            elif surface.point_colors is not None:
+                _bind(prim, self._look(WHITE, CORNERS, link), None)
+            elif surface.color is not None:
+                _bind(prim, self._look(color, None, link), color)
+
+        from ...meshes.encoding import encoded
+
+        return look
+
+    def _look(
+        self, color: Color, image: Image | None, link: Link, written: Material | None = None
+    ) -> UsdShade.Material:
+        """Return a material: one of the robot, or one for a colour, a texture or both."""
         name = written.name if written is not None else ""
-        material = self._looks.get((name, color))
-        if material is None:
-            path = self._material_path("color") if written is None or not name else ""
-            if not path and written is not None:
-                self._stage.DefinePrim(self._folder, "Scope")
-                path = self._names.told(self._folder, "material", name, link, written)
-            material = UsdShade.Material.Define(self._stage, path)
-            shader = UsdShade.Shader.Define(self._stage, f"{path}/surface")
-            shader.CreateIdAttr("UsdPreviewSurface")
-            red, green, blue, alpha = color
-            kinds = Sdf.ValueTypeNames
-            shader.CreateInput("diffuseColor", kinds.Color3f).Set(Gf.Vec3f(red, green, blue))
-            shader.CreateInput("opacity", kinds.Float).Set(alpha)
-            shader.CreateInput("roughness", kinds.Float).Set(0.5)
-            output = shader.CreateOutput("surface", kinds.Token)
-            material.CreateSurfaceOutput().ConnectToSource(output)
-            self._looks[name, color] = material
-        UsdShade.MaterialBindingAPI.Apply(prim).Bind(material)
+        known = self._looks.get((name, color, image))
+        if known is not None:
+            return known
+        self._stage.DefinePrim(self._folder, "Scope")
+        if written is not None and name:
+            path = self._names.told(self._folder, "material", name, link, written)
+        else:
+            plain = {None: "color", CORNERS: "colors"}.get(image, "texture")
+            path = self._names.new(self._folder, plain)
+        material = UsdShade.Material.Define(self._stage, path)
+        kinds = Sdf.ValueTypeNames
+        shader = UsdShade.Shader.Define(self._stage, f"{path}/surface")
+        shader.CreateIdAttr("UsdPreviewSurface")
+        red, green, blue, alpha = color
+        diffuse = shader.CreateInput("diffuseColor", kinds.Color3f)
+        if image is None:
+            diffuse.Set(Gf.Vec3f(red, green, blue))
+        else:
+            reader = UsdShade.Shader.Define(self._stage, f"{path}/reader")
+            of_corners = image == CORNERS
+            reader.CreateIdAttr(f"UsdPrimvarReader_float{3 if of_corners else 2}")
+            word = "displayColor" if of_corners else "st"
+            reader.CreateInput("varname", kinds.String).Set(word)
+            source = reader.CreateOutput("result", kinds.Float3 if of_corners else kinds.Float2)
+            if not of_corners:
+                texture = UsdShade.Shader.Define(self._stage, f"{path}/texture")
+                texture.CreateIdAttr("UsdUVTexture")
+                texture.CreateInput("file", kinds.Asset).Set(image)
+                texture.CreateInput("sourceColorSpace", kinds.Token).Set("sRGB")
+                texture.CreateInput("wrapS", kinds.Token).Set("repeat")
+                texture.CreateInput("wrapT", kinds.Token).Set("repeat")
+                texture.CreateInput("scale", kinds.Float4).Set(Gf.Vec4f(red, green, blue, 1.0))
+                texture.CreateInput("st", kinds.Float2).ConnectToSource(source)
+                source = texture.CreateOutput("rgb", kinds.Float3)
+            diffuse.ConnectToSource(source)
+        shader.CreateInput("opacity", kinds.Float).Set(alpha)
+        shader.CreateInput("roughness", kinds.Float).Set(0.5)
+        material.CreateSurfaceOutput().ConnectToSource(shader.CreateOutput("surface", kinds.Token))
+        self._looks[name, color, image] = material
+        return material
 
-    def _bind_friction(self, prim: Usd.Prim, surface: Friction) -> None:
+    def _friction(self, surface: Friction) -> UsdShade.Material | None:
+        """Return the material of how a collision touches others; None if nothing is said of it."""
+        material = None
         key = (surface.friction, surface.restitution, surface.stiffness, surface.damping)
         if any(value is not None for value in key):
             material = self._frictions.get(key)
@@ -252,11 +342,32 @@ class ShapeWriter:
                         f"{word}Stiffness": surface.stiffness, f"{word}Damping": surface.damping
                     }  # fmt: skip
                     set_values(material.GetPrim(), schema, namespace, values, keeps_zeros=True)
-            binding = UsdShade.MaterialBindingAPI.Apply(prim)
-            binding.Bind(material, UsdShade.Tokens.weakerThanDescendants, "physics")
         if surface.friction2 not in (None, surface.friction):
             self.losses.lose("second coefficients of friction", surface, field="friction2")
+        return material
 
     def _material_path(self, name: str) -> str:
         self._stage.DefinePrim(self._folder, "Scope")
         return self._names.new(self._folder, name)
+
+
+def _bind(prim: Usd.Prim, material: UsdShade.Material, color: Color | None) -> None:
+    """Show a prim in a material, and in its colour where no materials are shown."""
+    UsdShade.MaterialBindingAPI.Apply(prim).Bind(material)
+    if color is not None:
+        kind = Sdf.ValueTypeNames.Color3fArray
+        shown = UsdGeom.PrimvarsAPI(prim).CreatePrimvar("displayColor", kind)
+        shown.Set(Vt.Vec3fArray([Gf.Vec3f(*(min(max(each, 0.0), 1.0) for each in color[:3]))]))
+
+
+def _nothing(prim: Usd.Prim, surface: Surface) -> None:
+    """Leave a mesh as it is."""
+
+
+def _stem(shape: Mesh) -> str:
+    return _stem_of(shape.filename)
+
+
+def _stem_of(filename: str) -> str:
+    """Return the name of a file without its folder and ending."""
+    return os.path.splitext(filename.replace("\\", "/").rpartition("/")[2])[0]

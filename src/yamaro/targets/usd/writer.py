@@ -49,7 +49,7 @@ def write(robot: Robot, wanted: Wanted) -> Output:
     text = model.stage.GetRootLayer().ExportToString()
     name = model.root.rpartition("/")[2]
     root = element("usd", {"name": name}, children=model.elements, owner=robot.element)
-    return Output(root, model.losses, text=text, names=model.names.names)
+    return Output(root, model.losses, model.files, text=text, names=model.names.names)
 
 
 class _Model:
@@ -59,6 +59,7 @@ class _Model:
         stage: the stage.
         root: the path of the robot's prim.
         elements: for each prim, an element at the place of what it is made of.
+        files: the textures beside the document.
         losses: what USD cannot hold.
         names: names prims.
     """
@@ -70,6 +71,7 @@ class _Model:
         self._poses = link_poses(robot)
         self._inertias = Inertias(robot, is_fixed=wanted.is_fixed, repairs=wanted.repairs_inertia)
         self.losses = Losses(self._inertias.losses)
+        self.files: dict[str, bytes] = {}
         self.elements: list[Element] = []
         self.names = Names(self.losses)
         self._paths: dict[str, str] = {}
@@ -131,6 +133,7 @@ class _Model:
         joints.write()
         self.elements += joints.elements
         add_cameras(self.stage, robot, self._paths, self.names, self.losses)
+        self.files = self._shapes.files
         self.losses += self._shapes.losses
         self.losses += joints.losses
         if joints.has_variants:
