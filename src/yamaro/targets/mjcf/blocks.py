@@ -122,6 +122,14 @@ class Blocks:
         """Return whether a block has a section of the document."""
         return section in self._inner
 
+    @property
+    def is_whole(self) -> bool:
+        """Return whether blocks say all that links and joints do not: they have a section `contact`.
+
+        Then nothing is chosen that the robot does not say.
+        """
+        return self.has("contact")
+
     def in_section(self, section: str) -> list[Element]:
         """Return the elements of a section, of all blocks that have it, in the order written."""
         return self._inner.get(section, [])

@@ -125,7 +125,7 @@ def add_excludes(writing: Writing) -> None:
     adjacent ones of which the upper body can move. Where a block has a section `contact`, the file
     itself says which pairs have none.
     """
-    if writing.blocks.has("contact"):
+    if writing.blocks.is_whole:
         return
     rigid: dict[str, str] = {}
     for link in writing.plan.order:

@@ -181,7 +181,7 @@ def add_keyframes(writing: Writing) -> None:
     given = {attribute_text(each, "name"): each for each in blocks.in_section("keyframe")}
     home = states.pop(HOME, None)
     if order and writing.motions.keys() >= set(order):
-        if home is not None or not blocks.has("keyframe"):
+        if home is not None or not (blocks.is_whole or blocks.has("keyframe")):
             _add_key(writing, HOME, home, order)
         for name, state in states.items():
             _add_key(writing, name, state, order)

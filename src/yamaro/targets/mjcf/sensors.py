@@ -46,7 +46,7 @@ def add_sensors(writing: Writing) -> None:
     """Append the sensors, with the sites and cameras that they measure with."""
     for sensor in writing.robot.sensors.values():
         given = _given(writing, sensor)
-        if given:
+        if given or attribute_text(sensor.element, "of") == "mjcf":
             for each in given:
                 writing.measured[attribute_text(each, "name") or ""] = sensor.name
             writing.losses += lost_of_sensor(sensor, "mjcf")

@@ -108,10 +108,10 @@ def head(writing: Writing) -> list[Element]:
         classes.collision: element("geom", {"group": COLLISION_GROUP, "density": 0}),
         classes.frame: element("site", {"group": SITE_GROUP, "size": SITE_SIZE}),
     }
-    of_model = []
+    of_model, is_whole = [], writing.blocks.is_whole
     if any(each.name == "mesh" for each in writing.sections["asset"].elements()):
         of_model.append(element("mesh", {"inertia": "shell"}))
-    if writing.sections["equality"].children:
+    if writing.sections["equality"].children and not is_whole:
         of_model.append(element("equality", STIFF))
     of_model += [
         element("default", {"class": name}, children=[content]) for name, content in inner.items()
@@ -124,11 +124,13 @@ def head(writing: Writing) -> list[Element]:
         "texturedir": folder,
         "autolimits": "true",
     }
-    return [
+    found = [
         element("compiler", compiler, owner=owner),
-        element("option", {"integrator": "implicitfast"}, owner=owner),
         element("default", children=[model], owner=owner),
     ]
+    if not is_whole:
+        found.append(element("option", {"integrator": "implicitfast"}, owner=owner))
+    return found
 
 
 # --- the XML that a file holds for MJCF -------------------------------------------------------
