@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from ...model.robot import Robot
     from ...xml.tree import Node
 
-    Pairs = list[tuple[Element, Element | None]]
+    Keys = Callable[[Element], list[object]]
 
 OF_BODIES = frozenset(("gravcomp", "mocap", "sleep"))
 """Attributes that only a body has: a link that says one is not a site."""
@@ -124,7 +124,7 @@ class Blocks:
 
     @property
     def is_whole(self) -> bool:
-        """Return whether blocks say all that links and joints do not: they have a section `contact`.
+        """Return whether blocks say all that links do not: they have a section `contact`.
 
         Then nothing is chosen that the robot does not say.
         """
@@ -177,50 +177,63 @@ def merge(own: Element, given: Element) -> None:
             own.children.append(child)
 
 
-def merged(
-    own: Iterable[Node],
-    given: Sequence[Element],
-    match: Callable[[Element, Sequence[Element]], Element | None],
-) -> list[Node]:
+def merged(own: Iterable[Node], given: Sequence[Element], keys: Keys) -> list[Node]:
     """Return elements that are written, with those of blocks merged into them or added.
 
-    What blocks name is in their order, at the places that this has among the others. What they
-    add follows what they name before it.
+    What blocks name is in their order, at the places that this has among the others. What they add
+    follows what they name before it.
 
     Args:
         own: what is written.
         given: what blocks say.
-        match: returns the one of some elements that a block's element names, or None.
+        keys: returns what an element can be known by; a block's is known by the first.
     """
     found = list(own)
-    free = [node for node in found if isinstance(node, Element)]
-    pairs: Pairs = []
+    known: dict[object, list[Element]] = {}
+    for node in found:
+        if isinstance(node, Element):
+            for key in keys(node):
+                known.setdefault(key, []).append(node)
+    taken: set[int] = set()
+    named: list[Element] = []
+    following: dict[int, list[Node]] = {}  # what is added, by the identity of what it follows
+    before: list[Node] = []
     for each in given:
-        same = match(each, free)
-        pairs.append((each, same))
+        alike = [node for key in keys(each)[:1] for node in known.get(key, ())]
+        same = next((node for node in alike if id(node) not in taken), None)
         if same is not None:
-            free = [node for node in free if node is not same]
             merge(same, each)
-    named = [same for _, same in pairs if same is not None]
-    identities = {id(each) for each in named}
-    places = [index for index, node in enumerate(found) if id(node) in identities]
-    for index, same in zip(places, named, strict=True):
-        found[index] = same
-    first = True
-    last: Element | None = None
-    for each, same in pairs:
-        if same is not None:
-            last = same
-            continue
-        if last is not None:
-            at = next(index for index, node in enumerate(found) if node is last) + 1
-        elif first and named:
-            at = places[0]
+            taken.add(id(same))
+            named.append(same)
+        elif named:
+            following.setdefault(id(named[-1]), []).append(each)
         else:
-            at = len(found)
-        found.insert(at, each)
-        last, first = each, False
-    return found
+            before.append(each)
+    if not named:
+        return found + before
+    ordered: list[Node] = []
+    rest = iter(named)
+    for node in found:
+        if id(node) not in taken:
+            ordered.append(node)
+            continue
+        here = next(rest)
+        ordered += [*before, here, *following.get(id(here), ())]
+        before = []
+    return ordered
+
+
+def names(element: Element) -> list[object]:
+    """Return what an element is known by: its word and name."""
+    name = attribute_text(element, "name")
+    return [] if name is None else [(element.name, name)]
+
+
+def drivers(element: Element) -> list[object]:
+    """Return what an actuator is known by: its word and joint, or its word and name."""
+    joint = attribute_text(element, "joint")
+    own: list[object] = [] if joint is None else [(element.name, "joint", joint)]
+    return own + names(element)
 
 
 def changed(element: Element, attributes: dict[str, object]) -> Element:
@@ -229,25 +242,3 @@ def changed(element: Element, attributes: dict[str, object]) -> Element:
     copy.attributes = attributes
     copy.value_spans = {name: element.value_span(name) for name in element.attributes}
     return copy
-
-
-def same_name(given: Element, own: Sequence[Element]) -> Element | None:
-    """Return the element of the same word and name, or None."""
-    name = attribute_text(given, "name")
-    if name is None:
-        return None
-    for each in own:
-        if each.name == given.name and attribute_text(each, "name") == name:
-            return each
-    return None
-
-
-def same_joint(given: Element, own: Sequence[Element]) -> Element | None:
-    """Return the actuator of the same word for the same joint, or of the same name."""
-    joint = attribute_text(given, "joint")
-    if joint is None:
-        return same_name(given, own)
-    for each in own:
-        if each.name == given.name and attribute_text(each, "joint") == joint:
-            return each
-    return None

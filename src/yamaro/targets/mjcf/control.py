@@ -20,7 +20,7 @@ from ...model.values import attribute_text, numbers_of
 from ..elements import element
 from ..gains import EFFORT, POSITION, TIME_STEP, VELOCITY, Gains
 from ..holding import lost_of_actuator, lost_values
-from .blocks import merged, same_name
+from .blocks import merged, names
 from .joints import effort_of, numbers_at, range_of
 from .model import ACTUATOR, JOINTS, Writing
 from .scene import heights_at
@@ -212,7 +212,7 @@ def add_keyframes(writing: Writing) -> None:
             rest = [key for key in keys.elements() if attribute_text(key, "name") != own]
             keys.children = [*rest] if own is not None else keys.children
         fitting.append(each)
-    keys.children = merged(keys.children, fitting, same_name)
+    keys.children = merged(keys.children, fitting, names)
 
 
 def _width(joint: Element) -> int:

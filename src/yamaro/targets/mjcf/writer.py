@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from functools import partial
-
 from ...diagnostics import YamaroError
 from ...model.joint import FLOATING, PLANAR
 from ...model.values import attribute_text
@@ -14,29 +12,17 @@ from ..holding import cones, lost_of_joints, lost_sections, renamed_sensors
 from ..output import FOLDER, Output
 from ..table import TARGETS
 from .assets import Looks, with_files
-from .blocks import (
-    ACTUATORS,
-    ANCHOR,
-    SINGLES,
-    changed,
-    merge,
-    merged,
-    same_joint,
-    same_name,
-    set_from,
-)
+from .blocks import ACTUATORS, ANCHOR, SINGLES, changed, drivers, merge, merged, names, set_from
 from .constraints import add_excludes, add_loops, add_mimics
 from .control import add_actuators, add_keyframes
 from .links import add_bodies, put_on_floor, sort_bodies
-from .model import JOINTS, Writing, pose_attributes
+from .model import Writing, pose_attributes
 from .scene import scene
 from .sensors import add_sensors
 from .shapes import add_geoms
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from ...model.link import Link
     from ...model.robot import Robot
     from ...xml.tree import Element
@@ -171,7 +157,7 @@ def merge_blocks(writing: Writing) -> list[Element]:
             set_from(each, of_all)
             each.children += rest
     actuators = writing.sections["actuator"]
-    actuators.children = merged(actuators.children, driving, same_joint)
+    actuators.children = merged(actuators.children, driving, drivers)
     writing.losses += blocks.left(written)
     return _merge_sections(writing)
 
@@ -190,28 +176,39 @@ def _merge_link(writing: Writing, link: Link) -> None:
         sites = [each for each in body.elements() if each.name == "site"]
         target = next(each for each in sites if each.attributes["name"] == name)
     set_from(target, settings)
-    new = [each for each in elements if not is_site or same_name(each, body.elements()) is None]
-    if is_site and new:
-        attributes = pose_attributes(plan.poses[link.name])
-        body.children.append(element("frame", attributes, children=new, owner=link))
-        elements = [each for each in elements if not any(each is other for other in new)]
-    body.children = merged(body.children, elements, partial(_same_in_body, writing))
+    if is_site:
+        known = {key for each in body.elements() for key in names(each)}
+        new = [each for each in elements if known.isdisjoint(names(each))]
+        if new:
+            attributes = pose_attributes(plan.poses[link.name])
+            body.children.append(element("frame", attributes, children=new, owner=link))
+            elements = [each for each in elements if not known.isdisjoint(names(each))]
+    for given in elements:
+        if _is_free(given):
+            _rename_free(writing, body, given)
+    body.children = merged(body.children, elements, _in_body)
 
 
-def _same_in_body(writing: Writing, given: Element, own: Sequence[Element]) -> Element | None:
-    """Return what a block's element in a body names: the free joint of the body, or by its name."""
-    is_free = given.name == "freejoint" or attribute_text(given, "type") == "free"
-    if given.name in JOINTS and is_free:
-        for each in own:
-            if each.name == "freejoint" or attribute_text(each, "type") == "free":
-                old, new = attribute_text(each, "name"), attribute_text(given, "name")
-                each.name = given.name
-                if old in writing.motions and new is not None:
-                    writing.motions[new] = writing.motions.pop(old)
-                return each
-    if given.name == "inertial":
-        return next((each for each in own if each.name == "inertial"), None)
-    return same_name(given, own)
+def _is_free(joint: Element) -> bool:
+    is_typed = joint.name == "joint" and attribute_text(joint, "type") == "free"
+    return joint.name == "freejoint" or is_typed
+
+
+def _in_body(element: Element) -> list[object]:
+    """Return what an element in a body is known by: of some there is but one in a body."""
+    if _is_free(element):
+        return ["free"]
+    return [element.name] if element.name == "inertial" else names(element)
+
+
+def _rename_free(writing: Writing, body: Element, given: Element) -> None:
+    """Let the free joint of a body have the word and the name that a block says."""
+    for own in body.elements():
+        if _is_free(own):
+            old, new = attribute_text(own, "name"), attribute_text(given, "name")
+            own.name = given.name
+            if old in writing.motions and new is not None:
+                writing.motions[new] = writing.motions.pop(old)
 
 
 def _merge_sections(writing: Writing) -> list[Element]:
@@ -231,8 +228,8 @@ def _merge_sections(writing: Writing) -> list[Element]:
         elif own is None:
             top.append(given)
         else:
-            match = same_joint if given.name == "actuator" else same_name
+            keys = drivers if given.name == "actuator" else names
             trace = given.trace_within(None)
             inner = [each.settled(trace) for each in given.elements()]
-            own.children = merged(own.children, inner, match)
+            own.children = merged(own.children, inner, keys)
     return top
