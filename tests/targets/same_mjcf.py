@@ -125,7 +125,9 @@ class Comparison:
             if other is not None:
                 self._note(what, first[index], second[other], self.first.names[kind][index])
 
-    def _note(self, what: str, first: Array, second: Array, whose: str = "") -> None:
+    def _note(
+        self, what: str, first: Array, second: Array, whose: str = "", *, usual: float = 1e-6
+    ) -> None:
         first, second = np.asarray(first, dtype=float), np.asarray(second, dtype=float)
         if first.shape != second.shape:
             self.found.setdefault(what, f"shapes {first.shape} and {second.shape} {whose}")
@@ -133,10 +135,11 @@ class Comparison:
         if not first.size:
             return
         off, size = _distance(first, second)
-        if not off <= TOLERANCE * max(size, 1e-6):
+        part = off / max(size, usual, 1e-6)
+        if not part <= TOLERANCE:
             known = self.found.get(what)
-            if known is None or float(known.split()[0]) < off / max(size, 1e-6):
-                self.found[what] = f"{off / max(size, 1e-6):.1e} {whose}".strip()
+            if known is None or float(known.split()[0]) < part:
+                self.found[what] = f"{part:.1e} {whose}".strip()
 
     # --- states ---
 
@@ -179,8 +182,10 @@ class Comparison:
         mujoco.mj_fullM(one.model, one.data, full)
         mujoco.mj_fullM(two.model, two.data, other)
         self._note("mass matrix", full, other[np.ix_(order, order)])
+        usual = 1e-4 * np.abs(full).max(initial=0.0)  # of forces: less is rounding
         for name in ("qfrc_bias", "qfrc_passive", "qfrc_actuator"):
-            self._note(name, getattr(one.data, name), getattr(two.data, name)[order])
+            forces = getattr(one.data, name), getattr(two.data, name)[order]
+            self._note(name, *forces, usual=usual)
         self._compare_actuators()
         for index, twin in enumerate(self._maps["site"]):
             if twin is not None:

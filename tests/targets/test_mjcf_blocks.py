@@ -101,7 +101,7 @@ model:
         ref: 0.3
         armature: 0.02
         actuatorfrclimited: false
-        position/name=arm, ctrlrange=-0.5 0.5, forcerange=-9 9:
+        position/name=arm, ctrlrange=-0.5 0.5:
 - part:
     name: arm
     joint/name=arm_fixed: {type: fixed, parent: swing, xyz: 0 0 -0.2}

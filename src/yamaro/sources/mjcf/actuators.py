@@ -193,7 +193,7 @@ class Drives:
         all: in the order of the document: each with the joint that it drives, or None.
     """
 
-    __slots__ = ("_by_joint", "all")
+    __slots__ = ("_by_joint", "_joints", "all")
 
     def __init__(self, contexts: Iterable[Context], joints: Mapping[str, str]) -> None:
         """Read the actuators.
@@ -204,6 +204,7 @@ class Drives:
         """
         self.all: list[tuple[Thing, Drive | None]] = []
         self._by_joint: dict[str, list[Drive]] = {}
+        self._joints = joints
         for context in contexts:
             for thing in context.things("actuator"):
                 drive = self._drive(context, thing, joints)
@@ -292,10 +293,13 @@ class Drives:
 
     def order(self) -> list[Element]:
         """Return what the block of the robot says: those of no joint, in the order of all."""
-        if all(drive is not None for _, drive in self.all):
-            joints = [drive.joint for _, drive in self.all if drive is not None]
-            grouped = [name for name in self._by_joint for _ in self._by_joint[name]]
-            if joints == grouped:
+        drives = [drive for _, drive in self.all if drive is not None]
+        if len(drives) == len(self.all):
+            if all(drive.is_noted for drive in drives):  # the notes are in this order
+                return []
+            places = {name: index for index, name in enumerate(self._joints)}
+            joints = [places[drive.joint] for drive in drives]
+            if joints == sorted(joints):
                 return []
         found = []
         for thing, drive in self.all:

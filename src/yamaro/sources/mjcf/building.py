@@ -270,8 +270,8 @@ class Builder:
         self._keep_geoms(body, visuals, collisions, details)
         for other in body.others:
             self.keep(body.name, placed(other))
-        is_loose = body is not self.world and not (body.joints or inertial or self.geoms[body.name])
-        if is_loose and body.name not in self.inner:
+        is_empty = body is not self.world and not (inertial or visuals or collisions)
+        if is_empty and not {"gravcomp", "mocap", "sleep"} & thing.given.keys():
             # A link with nothing in it is a frame; a body stays one.
             self.keep(body.name, setting("gravcomp", "0", thing.span))
         made = making.link(

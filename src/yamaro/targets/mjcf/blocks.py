@@ -63,7 +63,10 @@ class Blocks:
         self._elements: dict[tuple[str, str], list[Element]] = {}
         for home, blocks in self._blocks.items():
             found = [each for raw in blocks for each in elements_of(raw)]
-            self._settings[home], self._elements[home] = settings_in(found)
+            settings, rest = settings_in(found)
+            nameless = [each for each in rest if each.name == "name"]
+            self._settings[home] = settings | {each.name: each for each in nameless}
+            self._elements[home] = [each for each in rest if each.name != "name"]
         self._inner: dict[str, list[Element]] = {}
         for section in self.sections:
             trace = section.trace_within(None)
@@ -177,16 +180,19 @@ def merge(own: Element, given: Element) -> None:
             own.children.append(child)
 
 
-def merged(own: Iterable[Node], given: Sequence[Element], keys: Keys) -> list[Node]:
+def merged(
+    own: Iterable[Node], given: Sequence[Element], keys: Keys, *, orders: bool = True
+) -> list[Node]:
     """Return elements that are written, with those of blocks merged into them or added.
 
-    What blocks name is in their order, at the places that this has among the others. What they add
-    follows what they name before it.
+    What blocks add follows what they name before it.
 
     Args:
         own: what is written.
         given: what blocks say.
         keys: returns what an element can be known by; a block's is known by the first.
+        orders: whether what blocks name is in their order, at the places that this has among the
+            others.
     """
     found = list(own)
     known: dict[object, list[Element]] = {}
@@ -217,7 +223,7 @@ def merged(own: Iterable[Node], given: Sequence[Element], keys: Keys) -> list[No
         if id(node) not in taken:
             ordered.append(node)
             continue
-        here = next(rest)
+        here = next(rest) if orders else node
         ordered += [*before, here, *following.get(id(here), ())]
         before = []
     return ordered

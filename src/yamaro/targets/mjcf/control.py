@@ -101,9 +101,10 @@ def add_actuators(writing: Writing) -> set[str]:
                 bounded.add(joint.name)
         else:
             attributes |= _gains(actuator, joint, gains, is_free=given is None)
-        if given is None:  # else the file says itself what there is
+        if not _is_off(given, "ctrllimited"):
             attributes["ctrlrange"] = _control(joint, command, force)
-            attributes["forcerange"] = force if word in ("position", "velocity") else None
+        if word in ("position", "velocity") and not _is_off(given, "forcelimited"):
+            attributes["forcerange"] = force
         if actuator.delay is not None and actuator.delay > LONGEST_DELAY:
             what = f"delays of more than {LONGEST_DELAY:g} s"
             writing.losses.lose(what, actuator, field="delay")
@@ -114,6 +115,11 @@ def add_actuators(writing: Writing) -> set[str]:
         writing.controls[id(made)] = (joint.name, command)
         writing.add("actuator", made)
     return bounded
+
+
+def _is_off(given: Element | None, attribute: str) -> bool:
+    """Return whether a block says that an actuator is not limited."""
+    return given is not None and attribute_text(given, attribute) == "false"
 
 
 def _word(actuator: Actuator) -> str:

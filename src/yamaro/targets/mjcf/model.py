@@ -280,7 +280,7 @@ class Writing:
         return self.blocks.text("joint", joint, "name") or joint
 
     def site_name(self, link: str) -> str:
-        """Return the name of the site that a link is."""
+        """Return the name of the site that a link is; one without a name has that of the link."""
         return self.blocks.text("link", link, "name") or link
 
     def body_name(self, link: str) -> str:

@@ -149,15 +149,17 @@ def merge_blocks(writing: Writing) -> list[Element]:
         rest = []
         for each in blocks.elements("joint", name):
             if each.name in ACTUATORS:
-                own = {"name": each.attributes.get("name"), "joint": writing.joint_name(name)}
-                driving.append(changed(each, {**own, **each.attributes}))
+                own = {"joint": writing.joint_name(name), **each.attributes}
+                if "name" in own:
+                    own = {"name": own["name"], **own}
+                driving.append(changed(each, own))
             else:
                 rest.append(each)
         for each in elements:
             set_from(each, of_all)
             each.children += rest
     actuators = writing.sections["actuator"]
-    actuators.children = merged(actuators.children, driving, drivers)
+    actuators.children = merged(actuators.children, driving, drivers, orders=False)
     writing.losses += blocks.left(written)
     return _merge_sections(writing)
 
@@ -176,6 +178,8 @@ def _merge_link(writing: Writing, link: Link) -> None:
         sites = [each for each in body.elements() if each.name == "site"]
         target = next(each for each in sites if each.attributes["name"] == name)
     set_from(target, settings)
+    if is_site and target.attributes["name"] == "":
+        del target.attributes["name"]
     if is_site:
         known = {key for each in body.elements() for key in names(each)}
         new = [each for each in elements if known.isdisjoint(names(each))]
@@ -207,6 +211,8 @@ def _rename_free(writing: Writing, body: Element, given: Element) -> None:
         if _is_free(own):
             old, new = attribute_text(own, "name"), attribute_text(given, "name")
             own.name = given.name
+            if given.name == "joint":
+                own.attributes["type"] = "free"
             if old in writing.motions and new is not None:
                 writing.motions[new] = writing.motions.pop(old)
 
