@@ -423,6 +423,20 @@ def test_transmissions(body: str, command: str, gear: float) -> None:
     assert (actuator.joint, actuator.command, actuator.gear) == ("turn", command, gear)
 
 
+def test_the_rotor_that_drake_reads_is_the_armature() -> None:
+    robot = robot_with(
+        """<transmission name="t"><type>transmission_interface/SimpleTransmission</type>
+             <joint name="turn">
+               <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+             </joint>
+             <actuator name="m"><drake:rotor_inertia value="2e-5"/><drake:gear_ratio value="30"/>
+             </actuator></transmission>"""
+    )
+    actuator = robot.actuators["turn"]
+    assert (actuator.command, actuator.rotor_inertia, actuator.gear) == ("effort", 2e-5, 30)
+    assert actuator.armature == pytest.approx(2e-5 * 900, rel=1e-14)
+
+
 def test_transmissions_of_the_pr2_command_efforts() -> None:
     robot = robot_with(
         """<transmission name="t" type="pr2_mechanism_model/SimpleTransmission">

@@ -9,6 +9,7 @@ import pytest
 from lxml import etree
 
 import yamaro
+from tests.consumers import oracles
 from tests.golden import CASES
 from tests.targets.ros2_control_rules import faults_of
 from yamaro.codes import ADJUSTABLE
@@ -166,3 +167,42 @@ def limits_in(joint: etree._Element) -> dict[str, list[float]]:
         interface.get("name"): [float(param.text) for param in interface.findall("param")]
         for interface in joint.findall("command_interface")
     }
+
+
+def test_drake_reads_the_armature_of_transmissions(tmp_path: Path) -> None:
+    oracles.require_module("pydrake")
+    from pydrake.multibody.parsing import Parser
+    from pydrake.multibody.plant import MultibodyPlant
+
+    rows = {
+        "rotor": ("revolute", "rotor_inertia: 1e-5, gear: 30, command: effort", 1e-5 * 900),
+        "armature": ("revolute", "armature: 0.2, gear: -8", 0.2),
+        "direct": ("continuous", "armature: 0.3", 0.3),
+        "slide": ("prismatic", "rotor_inertia: 1e-5, gear: 600", 3.6),
+        "none": ("revolute", "gear: 20", None),
+    }
+    text = "robot: r\nbase: fixed\nmodel:\n- link/name=base:\n"
+    for name, (kind, actuator, _) in rows.items():
+        limit = "limit: {lower: -1, upper: 1, effort: 5, velocity: 2}"
+        text += f"""
+- part:
+    name: {name}
+    joint: {{type: {kind}, parent: base, axis: z, {limit}, actuator: {{{actuator}}}}}
+    link: {{geometry: sphere, radius: 0.1, mass: 1}}
+"""
+    text += "control: {plugin: mock_components/GenericSystem, transmissions: true}\n"
+    build = yamaro.build("r.yaml", text=text, target="urdf")
+    plant = MultibodyPlant(0.001)
+    Parser(plant).AddModelsFromString(build.xml(), "urdf")
+    plant.Finalize()
+    found = {}
+    for index in plant.GetJointActuatorIndices():
+        driven = plant.get_joint_actuator(index)
+        assert driven.effort_limit() == 5
+        found[driven.joint().name()] = driven.default_reflected_inertia()
+    expected = {f"{name}_joint": value for name, (_, _, value) in rows.items() if value}
+    assert found == pytest.approx(expected, rel=1e-14)
+    # Read again, the URDF says the same.
+    again = yamaro.build("r.urdf", text=build.xml()).robot.actuators
+    assert {n: again[n].armature for n in found} == pytest.approx(expected, rel=1e-14)
+    assert again["none_joint"].armature is None

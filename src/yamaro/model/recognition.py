@@ -237,7 +237,10 @@ class _Actuators:
             return
         joint = child_named(transmission, "joint")
         note = self._notes.get(attribute_text(joint, "name") or "")
-        if note is None or "gear" in note.attributes:
+        if note is None:
+            return
+        self._add_rotor(note, child_named(transmission, "actuator"))
+        if "gear" in note.attributes:
             return
         places = (joint, child_named(transmission, "actuator"), transmission)
         for tag in ("mechanical_reduction", "mechanicalReduction"):
@@ -246,6 +249,21 @@ class _Actuators:
             if text is not None:
                 note.attributes["gear"] = text
                 return
+
+    def _add_rotor(self, note: Element, motor: Element | None) -> None:
+        """Note the inertia of a rotor, and its gear, as Drake reads them."""
+        found = {}
+        for tag, name in (("drake:rotor_inertia", "rotor_inertia"), ("drake:gear_ratio", "gear")):
+            element = child_named(motor, tag) if motor is not None else None
+            text = attribute_text(element, "value") if element is not None else None
+            row = numbers_in(text)
+            if len(row) == 1 and row[0] and name not in note.attributes:
+                found[name] = row[0]
+                note.attributes[name] = text
+        if "rotor_inertia" in found:
+            gear = numbers_in(str(note.attributes.get("gear", "1")))
+            ratio = gear[0] if len(gear) == 1 else 1.0
+            note.attributes["armature"] = Numbers.of(found["rotor_inertia"] * ratio * ratio)
 
 
 def _type_of(transmission: Element) -> str:

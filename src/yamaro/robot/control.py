@@ -26,6 +26,8 @@ if TYPE_CHECKING:
     Patterns = list[tuple[str, Span]]
 
 SENSOR_TYPE = CONTROL.fields["type"].choices[2]
+DRAKE = "https://drake.mit.edu"
+"""The namespace of Drake's elements."""
 PLUGIN = "mock_components/GenericSystem"
 """The plugin in examples: it mirrors commands to states, without hardware."""
 
@@ -349,6 +351,44 @@ class ControlWriter:
                 if child.name == "joint":
                     block.children.append(self._transmission(made, str(child.attributes["joint"])))
         return block
+
+    def for_drake(self, control: RobotNote) -> list[Element]:
+        """Return the transmissions that Drake reads, of joints whose armature is known.
+
+        Drake multiplies the inertia of a rotor by the square of its gear ratio, and warns of a
+        `mechanicalReduction`. Source: "drake:rotor_inertia" and "drake:gear_ratio" in its page on
+        parsing, https://drake.mit.edu/doxygen_cxx/group__multibody__parsing.html.
+        """
+        found: list[Element] = []
+        made = _Maker(control)
+        if control.attributes.get("transmissions") != "true":
+            return found
+        for child in control.elements():
+            name = str(child.attributes.get("joint", ""))
+            given = self._actuators[name].attributes if name in self._actuators else {}
+            if child.name != "joint" or "armature" not in given:
+                continue
+            gear = given.get("gear", "1")
+            inertia = given.get("rotor_inertia")
+            if inertia is None:
+                ratio = float(str(gear))
+                inertia = float(str(given["armature"])) / (ratio * ratio)
+            joint = made.element("joint", {"name": name})
+            interface = f"{str(given['command']).capitalize()}JointInterface"
+            joint.children.append(made.text("hardwareInterface", f"hardware_interface/{interface}"))
+            actuator = made.element("actuator", {"name": f"{name}_motor"})
+            actuator.children += [
+                made.element("drake:rotor_inertia", {"value": inertia}),
+                made.element("drake:gear_ratio", {"value": gear}),
+            ]
+            transmission = made.element("transmission", {"name": f"{name}_transmission"})
+            transmission.children += [
+                made.text("type", "transmission_interface/SimpleTransmission"),
+                joint,
+                actuator,
+            ]
+            found.append(transmission)
+        return found
 
     def _refuse_name_of_another(self, control: RobotNote, name: str) -> None:
         """Raise YamaroError if another block has the same name: ros2_control has each once."""

@@ -47,7 +47,7 @@ def finish_notes(lowering: Lowering, robot: Element) -> tuple[Element, list[Robo
         warn_of_open_loops(lowering, robot, notes)
     controls = [note for note in notes if note.name == "ros2_control"]
     if controls:
-        from .control import ControlWriter
+        from .control import DRAKE, ControlWriter
 
         writer = ControlWriter(robot, notes, states)
         for note in controls:
@@ -55,6 +55,11 @@ def finish_notes(lowering: Lowering, robot: Element) -> tuple[Element, list[Robo
                 robot.children.append(writer.element(note))
             except YamaroError as error:
                 lowering.absorb(error)
+                continue
+            transmissions = writer.for_drake(note)
+            if transmissions:
+                robot.children += transmissions
+                robot.attributes = {**robot.attributes, "xmlns:drake": DRAKE}
     return robot, notes
 
 

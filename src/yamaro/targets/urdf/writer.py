@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     from ...model.robot import Robot
     from ..output import Wanted
 
+REFLECTED = ("gear", "armature", "rotor_inertia")
+"""The values of an actuator that transmissions hold."""
 GAZEBO_HINT = "--gazebo also writes it for Gazebo"
 
 
@@ -42,7 +44,7 @@ def write(robot: Robot, wanted: Wanted) -> Output:
         if actuator.joint not in driven:
             losses.lose("actuators", actuator, hint="add a section `control`")
             continue
-        held = ("gear",) if actuator.joint in geared else ()
+        held = REFLECTED if actuator.joint in geared else ()
         losses += lost_values(actuator, "urdf", but=held)
     losses += lost_sections(robot, states=True)
     if robot.base is not None and robot.base.type == "free":
