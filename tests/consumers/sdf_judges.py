@@ -22,6 +22,8 @@ from yamaro.targets.losses import Loss
 
 DESCRIPTIONS = Path("/usr/share/sdformat12/1.9")
 """The elements of SDFormat 1.9, as libsdformat describes them to itself."""
+OTHERS = "{https://drake.mit.edu}"
+"""The namespace of elements that are for Drake, which libsdformat lets through."""
 TOLERANCE = 1e-9
 Matrix = np.ndarray[Any, Any]
 
@@ -84,6 +86,8 @@ def _fault(element: etree._Element, description: etree._Element, folder: Path) -
     members = _members(description, folder)
     for child in element:
         if child.tag == "mimic" and folder == DESCRIPTIONS:
+            continue
+        if child.tag.startswith(OTHERS):
             continue
         if child.tag not in members:
             return f"<{element.tag}> has no <{child.tag}> (line {child.sourceline})"
@@ -177,6 +181,9 @@ class _Comparison:
         self.plant.Finalize()
         self.context = self.plant.CreateDefaultContext()
         self.root = robot.roots[0].name
+        for name, actuator in robot.actuators.items():  # which the URDF does not say
+            if actuator.armature and model.existJointName(name):
+                model.armature[model.joints[model.getJointId(name)].idx_v] = actuator.armature
 
     def run(self, positions: int) -> str:
         total = sum(inertia.mass for inertia in list(self.model.inertias)[1:])

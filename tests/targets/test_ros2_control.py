@@ -176,7 +176,7 @@ def test_drake_reads_the_armature_of_transmissions(tmp_path: Path) -> None:
 
     rows = {
         "rotor": ("revolute", "rotor_inertia: 1e-5, gear: 30, command: effort", 1e-5 * 900),
-        "armature": ("revolute", "armature: 0.2, gear: -8", 0.2),
+        "armature": ("revolute", "armature: 0.2, gear: -8, kp: 30, kd: 2", 0.2),
         "direct": ("continuous", "armature: 0.3", 0.3),
         "slide": ("prismatic", "rotor_inertia: 1e-5, gear: 600", 3.6),
         "none": ("revolute", "gear: 20", None),
@@ -200,9 +200,14 @@ def test_drake_reads_the_armature_of_transmissions(tmp_path: Path) -> None:
         driven = plant.get_joint_actuator(index)
         assert driven.effort_limit() == 5
         found[driven.joint().name()] = driven.default_reflected_inertia()
+        assert driven.has_controller() == (driven.joint().name() == "armature_joint")
+        if driven.has_controller():
+            gains = driven.get_controller_gains()
+            assert (gains.p, gains.d) == (30, 2)
     expected = {f"{name}_joint": value for name, (_, _, value) in rows.items() if value}
     assert found == pytest.approx(expected, rel=1e-14)
     # Read again, the URDF says the same.
     again = yamaro.build("r.urdf", text=build.xml()).robot.actuators
     assert {n: again[n].armature for n in found} == pytest.approx(expected, rel=1e-14)
     assert again["none_joint"].armature is None
+    assert (again["armature_joint"].kp, again["armature_joint"].kd) == (30, 2)

@@ -251,7 +251,12 @@ class _Actuators:
                 return
 
     def _add_rotor(self, note: Element, motor: Element | None) -> None:
-        """Note the inertia of a rotor, and its gear, as Drake reads them."""
+        """Note the inertia of a rotor, its gear, and gains, as Drake reads them."""
+        gains = child_named(motor, "drake:controller_gains") if motor is not None else None
+        for attribute, name in (("p", "kp"), ("d", "kd")):
+            text = attribute_text(gains, attribute) if gains is not None else None
+            if len(numbers_in(text)) == 1 and name not in note.attributes:
+                note.attributes[name] = text
         found = {}
         for tag, name in (("drake:rotor_inertia", "rotor_inertia"), ("drake:gear_ratio", "gear")):
             element = child_named(motor, tag) if motor is not None else None

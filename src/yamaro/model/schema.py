@@ -500,7 +500,8 @@ CONTROL = Thing(
     Field("params", TEXT, help="parameters of the hardware"),
     Field("gpio", TEXT, help="`NAME: {command: […], state: […]}`"),
     Field("transmissions", TEXT, choices=("true", "false"), default="false",
-          help="whether to add a simple transmission for each joint"),
+          help="whether to add a simple transmission for each joint, and one for Drake where its "
+          "armature or gains are given"),
     Field("state", TEXT, help="the state that gives the initial values"),
 )  # fmt: skip
 

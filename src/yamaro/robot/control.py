@@ -287,7 +287,7 @@ SENSOR_INTERFACES = {
 class ControlWriter:
     """Makes `<ros2_control>` elements of a finished robot's notes."""
 
-    __slots__ = ("_actuators", "_joints", "_name", "_places", "_sensors", "_states")
+    __slots__ = ("_actuators", "_geared", "_joints", "_name", "_places", "_sensors", "_states")
 
     def __init__(self, robot: Element, notes: Sequence[RobotNote], states: States) -> None:
         """Take a lowered robot with its notes, and the merged states."""
@@ -300,6 +300,13 @@ class ControlWriter:
         self._actuators = {n.attributes["joint"]: n for n in notes if n.name == "actuator"}
         self._sensors = {n.attributes["name"]: n for n in notes if n.name == "sensor"}
         self._states = states
+        self._geared = {
+            format_value(joint.attributes.get("name"))
+            for each in robot.elements()
+            if each.name == "transmission"
+            for joint in each.elements()
+            if joint.name == "joint"
+        }
         self._places = {
             format_value(each.attributes.get("name")): each.span
             for each in robot.elements()
@@ -353,10 +360,12 @@ class ControlWriter:
         return block
 
     def for_drake(self, control: RobotNote) -> list[Element]:
-        """Return the transmissions that Drake reads, of joints whose armature is known.
+        """Return the transmissions that Drake reads, of joints whose armature or gains are given.
 
+        A joint that the file has a transmission for is left out: Drake would drive it twice.
         Drake multiplies the inertia of a rotor by the square of its gear ratio, and warns of a
-        `mechanicalReduction`. Source: "drake:rotor_inertia" and "drake:gear_ratio" in its page on
+        `mechanicalReduction`. It takes both gains of a servo or none. Source:
+        "drake:rotor_inertia", "drake:gear_ratio" and "drake:controller_gains" in its page on
         parsing, https://drake.mit.edu/doxygen_cxx/group__multibody__parsing.html.
         """
         found: list[Element] = []
@@ -366,21 +375,25 @@ class ControlWriter:
         for child in control.elements():
             name = str(child.attributes.get("joint", ""))
             given = self._actuators[name].attributes if name in self._actuators else {}
-            if child.name != "joint" or "armature" not in given:
+            values: list[Element] = []
+            if "armature" in given:
+                gear = given.get("gear", "1")
+                inertia = given.get("rotor_inertia")
+                if inertia is None:
+                    ratio = float(str(gear))
+                    inertia = float(str(given["armature"])) / (ratio * ratio)
+                values.append(made.element("drake:rotor_inertia", {"value": inertia}))
+                values.append(made.element("drake:gear_ratio", {"value": gear}))
+            if given.get("command") == "position" and "kp" in given and "kd" in given:
+                gains = {"p": given["kp"], "d": given["kd"]}
+                values.append(made.element("drake:controller_gains", gains))
+            if child.name != "joint" or not values or name in self._geared:
                 continue
-            gear = given.get("gear", "1")
-            inertia = given.get("rotor_inertia")
-            if inertia is None:
-                ratio = float(str(gear))
-                inertia = float(str(given["armature"])) / (ratio * ratio)
             joint = made.element("joint", {"name": name})
             interface = f"{str(given['command']).capitalize()}JointInterface"
             joint.children.append(made.text("hardwareInterface", f"hardware_interface/{interface}"))
             actuator = made.element("actuator", {"name": f"{name}_motor"})
-            actuator.children += [
-                made.element("drake:rotor_inertia", {"value": inertia}),
-                made.element("drake:gear_ratio", {"value": gear}),
-            ]
+            actuator.children += values
             transmission = made.element("transmission", {"name": f"{name}_transmission"})
             transmission.children += [
                 made.text("type", "transmission_interface/SimpleTransmission"),

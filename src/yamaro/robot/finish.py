@@ -59,7 +59,8 @@ def finish_notes(lowering: Lowering, robot: Element) -> tuple[Element, list[Robo
             transmissions = writer.for_drake(note)
             if transmissions:
                 robot.children += transmissions
-                robot.attributes = {**robot.attributes, "xmlns:drake": DRAKE}
+                robot.attributes = {**robot.attributes}
+                robot.attributes.setdefault("xmlns:drake", DRAKE)
     return robot, notes
 
 

@@ -35,7 +35,8 @@ def foreign_losses(robot: Robot, *, taken: Collection[str] = ()) -> Losses:
     """Return the losses of a format that takes no XML of other programs.
 
     Sensors and surfaces in `<gazebo>` and actuators in `<transmission>` that the model of the robot
-    has are left out, and so is `<ros2_control>`: the writer knows what is lost of them.
+    has are left out, and so are `<ros2_control>` and the transmissions that were written with it
+    from the same section: the writer knows what is lost of them.
 
     Args:
         robot: the robot.
@@ -44,9 +45,12 @@ def foreign_losses(robot: Robot, *, taken: Collection[str] = ()) -> Losses:
     walk = _Walk(robot)
     root = robot.element
     above = root.trace_within(None)
+    controls = {each.span.key() for each in root.elements() if each.name == "ros2_control"}
     for child in root.elements():
         trace = child.trace_within(above)
         if child.name in taken or child.name == "ros2_control":
+            continue
+        if child.name == "transmission" and child.span.key() in controls:
             continue
         if child.name in ("link", "joint", "material"):
             if not _is_plain(child):

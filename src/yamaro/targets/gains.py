@@ -147,8 +147,15 @@ class Gains:
         return _rounded(min(wanted, most))
 
     def damping(self, joint: Joint, stiffness: float) -> float:
-        """Return the damping with which the load just does not swing, in N·m·s/rad or N·s/m."""
-        return _rounded(2 * sqrt(max(stiffness, 0.0) * self._inertia_and_weight(joint)[0]))
+        """Return the damping with which the load just does not swing, in N·m·s/rad or N·s/m.
+
+        Where other joints follow, it is at most that of what the joint moves itself with `COUPLED`:
+        simulators hold those with equalities, which would not be stable with more.
+        """
+        found = 2 * sqrt(max(stiffness, 0.0) * self._inertia_and_weight(joint)[0])
+        if joint.name in self._followers:
+            found = min(found, 2 * self._own(joint)[0] * COUPLED)
+        return _rounded(found)
 
     def of_velocity(self, joint: Joint, actuator: Actuator) -> float:
         """Return the gain of a velocity actuator, given or not, in N·m·s/rad or N·s/m."""

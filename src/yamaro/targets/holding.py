@@ -75,10 +75,10 @@ _TOPICS = _lost("topics of sensors")
 _GROUPS = _lost("groups", SRDF_HINT)
 _COLLISIONS = _lost("`collisions` sections", SRDF_HINT)
 _CONTROLS = _lost("blocks of ros2_control")
-_ACTUATORS = _lost("actuators")
-_GAINS = _lost("gains of actuators")
+_GAINS = _lost("gains of actuators", GEAR_HINT)
 _ARMATURES = _lost("armatures of actuators", GEAR_HINT)
 _LINES = _lost("torque-speed lines of motors")
+_SOME_LINES = _partly(LOST, "torque-speed lines of motors")
 _DELAYS = _lost("delays of actuators")
 _CONES = _partly(APPROXIMATED, "cones of range sensors")
 _LIDARS = _lost("lidar sensors")
@@ -141,27 +141,27 @@ ROWS: dict[str, tuple[Cell, Cell, Cell, Cell]] = {
         f"calibration.{name}": (name, _CALIBRATION, _CALIBRATION, _CALIBRATION)
         for name in ("rising", "falling", "reference_position")
     },
-    "actuator.command": ("command_interface", _ACTUATORS, "class", "stiffness"),
-    "actuator.kp": (_GAINS, _ACTUATORS, "kp", "stiffness"),
-    "actuator.kd": (_GAINS, _ACTUATORS, "kv", "damping"),
-    "actuator.frequency": (_GAINS, _ACTUATORS, "kp", "stiffness"),
-    "actuator.damping_ratio": (_GAINS, _ACTUATORS, "kv", "damping"),
+    "actuator.command": ("command_interface", "controller_gains", "class", "stiffness"),
+    "actuator.kp": (_GAINS, "controller_gains", "kp", "stiffness"),
+    "actuator.kd": (_GAINS, "controller_gains", "kv", "damping"),
+    "actuator.frequency": (_GAINS, "controller_gains", "kp", "stiffness"),
+    "actuator.damping_ratio": (_GAINS, "controller_gains", "kv", "damping"),
     **dict.fromkeys(
         ("actuator.armature", "actuator.rotor_inertia"),
-        (_ARMATURES, _ACTUATORS, "armature", "newton:armature"),
+        (_ARMATURES, "rotor_inertia", "armature", "newton:armature"),
     ),
     "actuator.gear": (
-        *(_lost("gears of actuators", GEAR_HINT), _ACTUATORS, "armature", "newton:armature"),
+        *(_lost("gears of actuators", GEAR_HINT), "gear_ratio", "armature", "newton:armature"),
     ),
     **dict.fromkeys(
         ("actuator.stall_torque", "actuator.no_load_speed"),
-        (_LINES, _ACTUATORS, "nominal", "newton:saturationEffort"),
+        (_LINES, _SOME_LINES, "nominal", "newton:saturationEffort"),
     ),
     "actuator.motor": (
-        *(_partly(LOST, "armatures of actuators"), _ACTUATORS, "armature", "newton:armature"),
+        *(_partly(LOST, "armatures of actuators"), "rotor_inertia", "armature", "newton:armature"),
     ),
     "actuator.delay": (
-        *(_DELAYS, _ACTUATORS, "delay"),
+        *(_DELAYS, _DELAYS, "delay"),
         _partly(APPROXIMATED, "delays of actuators"),
     ),
     "surface.friction": (_NO_SURFACE, "mu", "friction", "physics:dynamicFriction"),
@@ -355,6 +355,19 @@ def lost_values(actuator: Actuator, format: str, *, but: Container[str] = ()) ->
         if name not in but and place not in told and getattr(actuator, name) not in (None, usual):
             told.add(place)
             found.lose(missing.what, actuator, field=name, hint=missing.hint)
+    return found
+
+
+def lost_lines(actuator: Actuator) -> Losses:
+    """Return what a format loses whose efforts are bounded alike at all speeds.
+
+    A stall torque without a no-load speed is such a bound.
+    """
+    found = Losses()
+    if actuator.no_load_speed is not None:
+        for name in ("stall_torque", "no_load_speed"):
+            if getattr(actuator, name) is not None:
+                found.lose("torque-speed lines of motors", actuator, field=name)
     return found
 
 

@@ -217,3 +217,54 @@ def test_drake_and_pinocchio_agree_on_the_examples(path: Path, tmp_path: Path) -
     made = yamaro.build(path, target="sdf", meshes="none", on_message=lambda line: None)
     sdf.write_text(made.xml())
     assert sdf_judges.disagreement(urdf, sdf, build.robot, made.losses, positions=20) == ""
+
+
+def test_drake_reads_actuators_and_joints_that_follow(tmp_path: Path) -> None:
+    oracles.require_module("pydrake")
+    from pydrake.multibody.parsing import Parser
+    from pydrake.multibody.plant import DiscreteContactApproximation, MultibodyPlant
+
+    # The armature, the gains and the effort of each joint.
+    rows = {
+        "servo": ("kp: 30, kd: 2, armature: 0.2", 0.2, (30, 2), 5),
+        "geared": ("kp: 4, kd: 1, rotor_inertia: 1e-5, gear: -30", 1e-5 * 900, (4, 1), 5),
+        "speed": ("command: velocity, kp: 3, stall_torque: 4 N*m", 0, (0, 3), 4),
+        "torque": ("command: effort, armature: 0.1, stall_torque: 9 N*m", 0.1, (0, 0), 5),
+    }
+    text = "robot: r\nbase: fixed\nmodel:\n- part:\n    name: base\n"
+    text += "    link: {geometry: sphere, radius: 0.1, mass: 1}\n"
+    for name, (actuator, *_) in rows.items():
+        text += f"""
+- part:
+    name: {name}
+    joint:
+      type: revolute
+      parent: base
+      axis: z
+      limit: {{lower: -1, upper: 1, effort: 5, velocity: 2}}
+      actuator: {{{actuator}}}
+    link: {{geometry: sphere, radius: 0.1, mass: 1}}
+"""
+    text += """
+- part:
+    name: follower
+    joint: {type: revolute, parent: base, axis: z, limit: {lower: -1, upper: 1},
+            mimic: {joint: servo_joint, multiplier: -0.5, offset: 0.1}}
+    link: {geometry: sphere, radius: 0.1, mass: 1}
+"""
+    for version, lost in (("1.11", set[str]()), ("1.9", {"mimic joints"})):
+        build = yamaro.build("r.yaml", text=text, target="sdf", sdf_version=version)
+        assert {loss.what for loss in build.losses} == lost
+        plant = MultibodyPlant(0.001)
+        plant.set_discrete_contact_approximation(DiscreteContactApproximation.kSap)
+        Parser(plant).AddModelsFromString(build.xml(), "sdf")
+        plant.Finalize()
+        for name, (_, armature, gains, effort) in rows.items():
+            driven = plant.GetJointActuatorByName(f"{name}_joint")
+            assert driven.default_reflected_inertia() == pytest.approx(armature, rel=1e-14)
+            assert driven.effort_limit() == effort
+            assert driven.has_controller() == any(gains)
+            if driven.has_controller():
+                found = driven.get_controller_gains()
+                assert (found.p, found.d) == gains
+        assert plant.num_constraints() == 1

@@ -154,7 +154,7 @@ def _gains(actuator: Actuator, joint: Joint, gains: Gains, *, is_free: bool) -> 
     if actuator.kd is not None:
         found["kv"] = actuator.kd
     elif is_free:
-        found["dampratio"] = 1
+        found["kv"] = gains.damping(joint, stiffness)
     return found
 
 

@@ -1,10 +1,19 @@
-"""Joints of SDFormat: axis, limits, dynamics, mimic."""
+"""Joints of SDFormat: axis, limits, dynamics, mimic; and what drives them, for Drake.
+
+SDFormat has no actuators. Drake has elements of its own for them, in a namespace that others pass
+over: the inertia of the rotor, which it multiplies by the square of the gear ratio, and the gains
+of a servo, which it integrates implicitly and bounds by the effort of the joint. Its target is a
+position and a velocity; with a gain of velocity alone it is a velocity servo. It also has an
+element of its own for joints that follow others, and does not read SDFormat's. Source:
+https://drake.mit.edu/doxygen_cxx/group__multibody__parsing.html.
+"""
 
 from __future__ import annotations
 
 from ...model.joint import FIXED, FLOATING, SINGLE
 from ..elements import element, given
-from ..holding import leader_of, lost_of_joints
+from ..gains import POSITION, VELOCITY, Gains
+from ..holding import leader_of, lost_lines, lost_of_actuator, lost_of_joints, lost_values
 from .links import pose_of, row_of
 
 TYPE_CHECKING = False
@@ -25,12 +34,19 @@ class JointWriter:
 
     Attributes:
         losses: what SDFormat cannot hold of them.
+        has_drake: whether a joint that was made has elements of Drake.
     """
 
-    __slots__ = ("_has_mimic", "_names", "_robot", "losses")
+    __slots__ = ("_gains", "_has_mimic", "_names", "_robot", "has_drake", "losses")
 
     def __init__(
-        self, robot: Robot, names: Mapping[str, str], version: str, losses: Losses
+        self,
+        robot: Robot,
+        names: Mapping[str, str],
+        version: str,
+        losses: Losses,
+        *,
+        is_fixed: bool,
     ) -> None:
         """Start.
 
@@ -39,8 +55,11 @@ class JointWriter:
             names: of the joints in SDFormat, by those in the robot.
             version: of SDFormat.
             losses: takes what SDFormat cannot hold.
+            is_fixed: whether its root is fixed in the world.
         """
         self._robot = robot
+        self._gains = Gains(robot, is_fixed=is_fixed, has_armature=True)
+        self.has_drake = False
         self._names = names
         self._has_mimic = version != "1.9"
         self.losses = losses
@@ -73,7 +92,7 @@ class JointWriter:
             kind = FIXED
         content = pose_of(joint.origin, relative_to) + given(("parent", parent), ("child", child))
         if kind != FIXED:
-            content.append(self._axis(joint))
+            content += [self._axis(joint), *self._drive(joint), *self._follow(joint)]
         attributes: Attributes = {"name": self._names[joint.name], "type": kind}
         return element("joint", attributes, children=[*content, *more], owner=joint)
 
@@ -89,7 +108,7 @@ class JointWriter:
             limits = given(
                 ("lower", lower),
                 ("upper", upper),
-                ("effort", limit.effort),
+                ("effort", self._effort_of(joint)),
                 ("velocity", limit.velocity),
             )
         axis = [element("xyz", text=row_of(joint.axis)), element("limit", children=limits)]
@@ -103,3 +122,49 @@ class JointWriter:
             )
             axis.append(element("mimic", {"joint": self._names[leader.name]}, children=values))
         return element("axis", children=axis)
+
+    def _effort_of(self, joint: Joint) -> float | None:
+        """Return the greatest effort: that of the limit, or that of the motor if it is less."""
+        effort = joint.limit.effort if joint.limit is not None else None
+        actuator = self._robot.actuators.get(joint.name)
+        stall = actuator.stall_torque if actuator is not None else None
+        return stall if stall is not None and (effort is None or effort > stall) else effort
+
+    def _drive(self, joint: Joint) -> list[Element]:
+        """Return what drives a joint in Drake."""
+        actuator = self._robot.actuators.get(joint.name)
+        if actuator is None or joint.mimic is not None:
+            return []
+        self.losses += lost_of_actuator(actuator)
+        self.losses += lost_values(actuator, "sdf")
+        self.losses += lost_lines(actuator)
+        command = actuator.command
+        made: list[Element] = []
+        if actuator.armature:
+            inertia, gear = actuator.armature, 1.0
+            if actuator.rotor_inertia is not None:
+                inertia, gear = actuator.rotor_inertia, actuator.gear
+            made += given(("drake:rotor_inertia", inertia), ("drake:gear_ratio", gear))
+        kp = kd = 0.0  # those that are not given are as in MJCF
+        if command == POSITION:
+            kp = actuator.kp if actuator.kp is not None else self._gains.of_position(joint)
+            kd = actuator.kd if actuator.kd is not None else self._gains.damping(joint, kp)
+        elif command == VELOCITY:
+            kd = self._gains.of_velocity(joint, actuator)
+        if kp or kd:
+            made.append(element("drake:controller_gains", {"p": kp, "d": kd}))
+        self.has_drake = self.has_drake or bool(made)
+        return made
+
+    def _follow(self, joint: Joint) -> list[Element]:
+        """Return what makes a joint follow another in Drake, which reads no `<mimic>`."""
+        mimic, leader = joint.mimic, leader_of(self._robot, joint)
+        if mimic is None or leader is None:
+            return []
+        self.has_drake = True
+        attributes: Attributes = {
+            "joint": self._names[leader.name],
+            "multiplier": mimic.multiplier,
+            "offset": mimic.offset,
+        }
+        return [element("drake:mimic", attributes, owner=joint, part=mimic)]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...diagnostics import YamaroError
-from ...model.joint import FIXED, FLOATING
+from ...model.joint import FIXED, FLOATING, SINGLE
 from ...model.kinematics import WORLD
 from ...model.pose import IDENTITY
 from ..bodies import Bodies
@@ -32,6 +32,8 @@ if TYPE_CHECKING:
 MODEL_FRAME = "__model__"
 NAMESPACE = "http://gazebosim.org/schema"
 """Of what Gazebo adds to SDFormat."""
+DRAKE = "https://drake.mit.edu"
+"""Of what Drake adds to it."""
 
 
 def write(robot: Robot, wanted: Wanted) -> Output:
@@ -59,7 +61,9 @@ class _Model:
         self._losses += renamed_sensors(robot, but=self._copied)
         self._losses += cones(robot, but=self._copied)
         self._shapes = Shapes(robot, wanted, self._names, self._blocks, self._losses)
-        self._joint_writer = JointWriter(robot, self._names.joints, self._version, self._losses)
+        self._joint_writer = JointWriter(
+            robot, self._names.joints, self._version, self._losses, is_fixed=wanted.is_fixed
+        )
         self._members: dict[str, list[Link]] = {}
         for link in self._bodies.order:
             carrier = self._bodies.carriers[link.name]
@@ -101,8 +105,16 @@ class _Model:
         attributes: Attributes = {"version": self._version}
         if self._copier.has_custom:
             attributes["xmlns:gz"] = NAMESPACE
+        if self._joint_writer.has_drake:
+            attributes["xmlns:drake"] = DRAKE
         root = element("sdf", attributes, children=[model], owner=robot.element)
-        self._losses += lost_sections(robot, states=True, actuators=True, controls=True)
+        for actuator in robot.actuators.values():
+            driven = robot.joints.get(actuator.joint)
+            is_driven = driven is not None and driven.type in SINGLE and driven.mimic is None
+            if driven is None or not is_driven or robot.parent_joint(driven.child) is not driven:
+                what = "actuators of joints that are not independent"
+                self._losses.lose(what, actuator)
+        self._losses += lost_sections(robot, states=True, controls=True)
         names = {
             kind: {new: name for name, new in known.items()}
             for kind, known in (("link", self._names.links), ("joint", self._names.joints))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...diagnostics import Reporter
+from ..gains import POSITION
 from ..holding import cones, lost_sections, lost_values
 from ..losses import Losses
 from ..output import Output
@@ -14,7 +15,8 @@ if TYPE_CHECKING:
     from ..output import Wanted
 
 REFLECTED = ("gear", "armature", "rotor_inertia")
-"""The values of an actuator that transmissions hold."""
+GAINS = ("kp", "kd", "frequency", "damping_ratio")
+"""The values of an actuator that transmissions hold: gains if both are given for a position."""
 GAZEBO_HINT = "--gazebo also writes it for Gazebo"
 
 
@@ -44,7 +46,10 @@ def write(robot: Robot, wanted: Wanted) -> Output:
         if actuator.joint not in driven:
             losses.lose("actuators", actuator, hint="add a section `control`")
             continue
-        held = REFLECTED if actuator.joint in geared else ()
+        held: tuple[str, ...] = REFLECTED if actuator.joint in geared else ()
+        has_gains = actuator.kp is not None and actuator.kd is not None
+        if held and has_gains and actuator.command == POSITION:
+            held += GAINS
         losses += lost_values(actuator, "urdf", but=held)
     losses += lost_sections(robot, states=True)
     if robot.base is not None and robot.base.type == "free":
