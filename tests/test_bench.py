@@ -16,7 +16,19 @@ BENCH = Path(__file__).parents[1] / "bench"
 OTHERS = {
     *("attached", "changes", "engines", "fresh", "interface", "losses", "mass", "measuring"),
     *("mirrored", "mjcf", "mjcf_in", "newton_orders"),
-    *("killed", "noise", "others", "reading", "robots", "run", "sdf", "style", "urdf", "usd"),
+    *(
+        "killed",
+        "noise",
+        "others",
+        "reading",
+        "robots",
+        "run",
+        "sdf",
+        "simready",
+        "style",
+        "urdf",
+        "usd",
+    ),
     *("values", "verdicts"),
 }
 """What measures no time by itself, and what needs a corpus that is not part of the project."""

@@ -399,3 +399,41 @@ model:
         visual = stage.GetPrimAtPath(f"/colours/{link}_link/{link}_link_visual")
         bound = UsdShade.MaterialBindingAPI(visual).GetDirectBinding().GetMaterial()
         assert bound.GetPrim().GetName() == name
+
+
+def test_the_robot_lists_its_links_and_joints_and_keeps_names(tmp_path: Path) -> None:
+    text = ARM.replace("name: rod", "name: 2-rod")
+    stage, _ = stage_of(text, tmp_path, base="fixed")
+    root = stage.GetDefaultPrim()
+    assert root.GetDisplayName() == "my arm"
+    listed = {
+        word: [
+            str(path) for path in root.GetRelationship(f"isaac:physics:robot{word}").GetTargets()
+        ]
+        for word in ("Links", "Joints")
+    }
+    assert listed == {
+        "Links": ["/my_arm/base_link", "/my_arm/_2_rod_link"],
+        "Joints": ["/my_arm/joints/base_link_world", "/my_arm/joints/_2_rod_joint"],
+    }
+    for path, name in (
+        ("/my_arm/_2_rod_link", "2-rod_link"),
+        ("/my_arm/joints/_2_rod_joint", "2-rod_joint"),
+    ):
+        prim = stage.GetPrimAtPath(path)
+        assert prim.GetDisplayName() == name
+        assert prim.GetAttribute("isaac:nameOverride").Get() == name
+
+
+def test_the_file_has_the_metadata_that_follow_from_the_robot(tmp_path: Path) -> None:
+    """Source: SR.004 of SimReady."""
+    from pxr import Usd
+
+    stage, _ = stage_of(ARM, tmp_path)
+    data = stage.GetRootLayer().customLayerData["SimReady_Metadata"]
+    assert data["rigid_body_count"] == 2
+    assert data["mass"] == 5
+    assert data["asset_name"] == "my arm"
+    # Only the base is seen: a box.
+    assert list(data["asset_extents"]) == pytest.approx([0.2, 0.2, 0.1])
+    assert Usd.ModelAPI(stage.GetDefaultPrim()).GetKind() == "component"

@@ -57,6 +57,7 @@ class JointWriter:
         elements: for each joint, an element at its place.
         has_variants: whether there is a variant with actuators of Newton in place of drives.
         losses: what USD cannot hold.
+        prims: the joints of the articulation, with those that fix roots first.
     """
 
     def __init__(
@@ -93,6 +94,7 @@ class JointWriter:
         self._made: list[tuple[Usd.Prim, Owner, Mapping[str, Span]]] = []
         self.elements: list[Element] = []
         self.has_variants = False
+        self.prims: list[Usd.Prim] = []
         self.losses = lost_of_joints(robot, "usd")
 
     def write(self) -> None:
@@ -119,6 +121,7 @@ class JointWriter:
         for joint in robot.joints.values():
             if joint.mimic is not None and joint.name in self._prims:
                 self._follow(joint)
+        self.prims = [prim for prim, *_ in self._made]
         for loop in robot.loops.values():
             path = self._names.told(self._folder, "loop", loop.name, loop)
             prim = LOOPS[loop.type].Define(self._stage, path)

@@ -37,6 +37,9 @@ PLACEHOLDER = 1e-3
 SITE_RADIUS = 0.005
 """The radius, in metres, of the ball that shows a frame, which Newton's schema marks as a site."""
 
+ROBOT = {"asset_type": "robot", "category": "robot", "qcode": "Q11012"}
+"""What each robot is: the code is that of robots in Wikidata."""
+
 
 def write(robot: Robot, wanted: Wanted) -> Output:
     """Return a robot in USD, as text.
@@ -136,13 +139,57 @@ class _Model:
         self.files = self._shapes.files
         self.losses += self._shapes.losses
         self.losses += joints.losses
-        if joints.has_variants:
-            variant = {"prim": self.root, "variantSetName": VARIANTS, "activateOption": ACTUATORS}
-            layer = self.stage.GetRootLayer()
-            data = {"SimReady_Metadata": {"Variants": {"Physics": {VARIANTS: variant}}}}
-            layer.customLayerData = {**layer.customLayerData, **data}
         self.losses += lost_sections(robot, states=True, controls=True)
         self.losses += foreign_losses(robot)
+        self._describe(joints)
+
+    # --- what the robot is ---
+
+    def _describe(self, joints: JointWriter) -> None:
+        """Say what the robot consists of, for Isaac Sim, and what an asset says, for SimReady.
+
+        Sources: the robot schema of Isaac Sim, https://docs.isaacsim.omniverse.nvidia.com, and
+        SR.004 of https://nvidia.github.io/simready-foundation/.
+        """
+        links = [
+            self.stage.GetPrimAtPath(self._paths[link.name])
+            for link in self._bodies.order
+            if self._bodies.is_body(link.name)
+        ]
+        root = self.stage.GetDefaultPrim()
+        root.AddAppliedSchema("IsaacRobotAPI")
+        for word, prims in (("Link", links), ("Joint", joints.prims)):
+            for prim in prims:
+                prim.AddAppliedSchema(f"Isaac{word}API")
+            relation = root.CreateRelationship(f"isaac:physics:robot{word}s", custom=False)
+            relation.SetTargets([prim.GetPath() for prim in prims])
+        for kind, names in self.names.names.items():
+            for path, name in names.items():
+                prim = self.stage.GetPrimAtPath(path)
+                if prim.GetName() != name:
+                    prim.SetDisplayName(name)
+                    if kind in ("link", "frame", "joint"):
+                        text = Sdf.ValueTypeNames.String
+                        prim.CreateAttribute("isaac:nameOverride", text, custom=False).Set(name)
+        Usd.ModelAPI(root).SetKind("component")
+        name = self._robot.name or self._wanted.name
+        if root.GetName() != name:
+            root.SetDisplayName(name)
+        data: dict[str, object] = {"asset_name": name, **ROBOT}
+        data["rigid_body_count"] = len(links)
+        masses = [UsdPhysics.MassAPI(prim).GetMassAttr().Get() for prim in links]
+        data["mass"] = sum(masses)
+        for purposes in (["default", "render"], ["guide"]):
+            cache = UsdGeom.BBoxCache(Usd.TimeCode.Default(), purposes, useExtentsHint=False)
+            box = cache.ComputeWorldBound(root).ComputeAlignedRange()
+            if not box.IsEmpty():
+                data["asset_extents"] = Gf.Vec3f(*box.GetSize())
+                break
+        if joints.has_variants:
+            variant = {"prim": self.root, "variantSetName": VARIANTS, "activateOption": ACTUATORS}
+            data["Variants"] = {"Physics": {VARIANTS: variant}}
+        layer = self.stage.GetRootLayer()
+        layer.customLayerData = {**layer.customLayerData, "SimReady_Metadata": data}
 
     # --- mass ---
 
