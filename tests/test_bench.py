@@ -15,20 +15,9 @@ from tests.waiting import PATIENCE
 BENCH = Path(__file__).parents[1] / "bench"
 OTHERS = {
     *("attached", "changes", "engines", "fresh", "interface", "losses", "mass", "measuring"),
-    *("mirrored", "mjcf", "mjcf_in", "newton_orders"),
-    *(
-        "killed",
-        "noise",
-        "others",
-        "reading",
-        "robots",
-        "run",
-        "sdf",
-        "simready",
-        "style",
-        "urdf",
-        "usd",
-    ),
+    *("isaaclab_articulations", "mirrored", "mjcf", "mjcf_in", "mjlab_entities"),
+    *("killed", "newton_orders", "noise", "others", "reading", "robots", "run", "sdf", "simready"),
+    *("style", "training", "urdf", "usd"),
     *("values", "verdicts"),
 }
 """What measures no time by itself, and what needs a corpus that is not part of the project."""

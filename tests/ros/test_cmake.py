@@ -250,7 +250,10 @@ def test_check_adds_a_test(made: Project) -> None:
         ("robot.yaml", "there is no file"),
         (
             "robot.urdf.yaml TO urfd",
-            "unknown format 'urfd'; TO takes urdf, sdf, mjcf, srdf, usd and interface",
+            (
+                "unknown format 'urfd'; TO takes "
+                "urdf, sdf, mjcf, srdf, usd, interface, mjlab and isaaclab"
+            ),
         ),
         ("robot.urdf.yaml T urdf", "unknown argument 'T;urdf'"),
         ("robot.urdf.yaml TRUST no", "TRUST is trust, jail or safe, not 'no'"),

@@ -1,7 +1,8 @@
 # Builds robots with Yamaro, with or without ROS.
 #
 #   yamaro_add_robot(<file>
-#     [TO <format>...]               urdf (the default), sdf, mjcf, srdf, usd, interface
+#     [TO <format>...]               urdf (the default), sdf, mjcf, srdf, usd, interface,
+#                                  mjlab, isaaclab
 #     [OUTPUT <path>...]             one for each format; relative to CMAKE_CURRENT_BINARY_DIR
 #     [VARIABLES <name:=value>...]   as on the command line
 #     [TRUST trust|jail|safe]        how far the file is trusted; by default trust
@@ -31,6 +32,8 @@ set(_YAMARO_ENDING_mjcf .xml CACHE INTERNAL "")
 set(_YAMARO_ENDING_srdf .srdf CACHE INTERNAL "")
 set(_YAMARO_ENDING_usd .usda CACHE INTERNAL "")
 set(_YAMARO_ENDING_interface .interface.json CACHE INTERNAL "")
+set(_YAMARO_ENDING_mjlab _mjlab.py CACHE INTERNAL "")
+set(_YAMARO_ENDING_isaaclab _isaaclab.py CACHE INTERNAL "")
 
 # Sets `out` to the name of a robot's file without its endings: rover for rover.urdf.yaml.
 function(_yamaro_name file out)
@@ -139,7 +142,7 @@ or name it with -DYAMARO_COMMAND=/path/to/yamaro")
   endif()
   foreach(format IN LISTS robot_TO)
     if(NOT DEFINED _YAMARO_ENDING_${format})
-      _yamaro_fail("${file}" "unknown format '${format}'; TO takes urdf, sdf, mjcf, srdf, usd and interface")
+      _yamaro_fail("${file}" "unknown format '${format}'; TO takes urdf, sdf, mjcf, srdf, usd, interface, mjlab and isaaclab")
     endif()
   endforeach()
   list(LENGTH robot_TO count)

@@ -114,9 +114,12 @@ def deliver_formats(
     """
     if goes_to_standard_output(arguments):
         if any(name.startswith(f"{FOLDER}/") for name in build.assets):
+            target = TARGETS[build.format]
+            if not target.is_whole:
+                raise WrongUsage(f"{target.title} needs files beside the document: -o FILE")
             raise WrongUsage(
-                f"the {TARGETS[build.format].title} of this robot needs files of meshes or "
-                "textures beside it: name it with -o FILE, or write --meshes none"
+                f"the {target.title} of this robot needs files of meshes or textures beside it: "
+                "name it with -o FILE, or write --meshes none"
             )
         return deliver(chunks, arguments, streams)
     builds = list(build.outputs.values())

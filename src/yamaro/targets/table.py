@@ -39,7 +39,8 @@ class Target:
         run: the format for which the file is run: another one that it belongs to, or its own.
         versions: those that can be asked for, the default first.
         beside: the names of files beside the document that are not in `FOLDER`.
-        library: what it needs that is not always installed, by the extra of its name.
+        library: what it needs that is not always installed.
+        extra: the extra that has it, by default the one of its name.
         endings: those of file names that promise this format.
         refused: those of them that it cannot be written to; with `conversion`, how to get there.
         conversion: for a file name without ending.
@@ -47,7 +48,7 @@ class Target:
     """
 
     __slots__ = (
-        "beside", "comment", "conversion", "ending", "endings", "has_places", "is_folder",
+        "beside", "comment", "conversion", "ending", "endings", "extra", "has_places", "is_folder",
         "is_simulator", "is_whole", "library", "name", "own_codes", "refused", "run", "title",
         "versions",
     )  # fmt: skip
@@ -67,6 +68,7 @@ class Target:
         versions: tuple[str, ...] = (),
         beside: tuple[str, ...] = (),
         library: str = "",
+        extra: str = "",
         endings: tuple[str, ...] = (),
         refused: tuple[str, ...] = (),
         conversion: str = "",
@@ -84,6 +86,7 @@ class Target:
         self.versions = versions
         self.beside = beside
         self.library = library
+        self.extra = extra or name
         self.endings = endings or (ending,)
         self.refused = refused
         self.conversion = conversion
@@ -106,7 +109,7 @@ class Target:
             "missing-extra",
             f"{self.title} needs {self.library}",
             span,
-            hint=f"pip install 'yamaro[{self.name}]'",
+            hint=f"pip install 'yamaro[{self.extra}]'",
         )
 
 
@@ -167,6 +170,17 @@ TARGETS = {
             is_simulator=True,
             run="urdf",
             endings=(".json",),
+        ),
+        Target("mjlab", "mjlab", "_mjlab.py", comment="# {}", is_simulator=True, run="mjcf"),
+        Target(
+            "isaaclab",
+            "Isaac Lab",
+            "_isaaclab.py",
+            comment="# {}",
+            is_simulator=True,
+            run="usd",
+            library="the library usd-core",
+            extra="usd",
         ),
     )
 }
@@ -234,6 +248,14 @@ def file_name_for(name: str, format: str, stem: str) -> str:
     if not is_file_stem(name):
         name = stem if is_file_stem(stem) else "robot"
     target = TARGETS[format]
+    if target.ending.endswith(".py"):
+        name = module_stem(name)
     if name.casefold() + target.ending in target.beside:
         name += "_robot"
     return name + target.ending
+
+
+def module_stem(name: str) -> str:
+    """Return a name as the start of the name of a Python module: with nothing but letters."""
+    plain = "".join(each if f"_{each}".isidentifier() else "_" for each in name)
+    return plain if plain.isidentifier() else f"robot_{plain}"

@@ -188,9 +188,9 @@ def add_keyframes(writing: Writing) -> None:
     home = states.pop(HOME, None)
     if order and writing.motions.keys() >= set(order):
         if home is not None or not (blocks.is_whole or blocks.has("keyframe")):
-            _add_key(writing, HOME, home, order)
+            add_key(writing, HOME, home, order)
         for name, state in states.items():
-            _add_key(writing, name, state, order)
+            add_key(writing, name, state, order)
     elif order:  # of joints that the file has for MJCF alone
         for state in writing.robot.states.values():
             if state.name not in given:
@@ -227,7 +227,7 @@ def _width(joint: Element) -> int:
     return {"free": 7, "ball": 4}.get(kind or "", 1)
 
 
-def _add_key(writing: Writing, name: str, state: State | None, order: list[str]) -> None:
+def add_key(writing: Writing, name: str, state: State | None, order: list[str]) -> None:
     """Append a keyframe: a number for each of `qpos`, and for each actuator, also for others."""
     given = positions_in(writing.robot, state)
     positions = joint_positions(writing.robot, given)

@@ -302,6 +302,16 @@ class Writing:
         carrier = self.plan.carriers[link]
         return self.sections["worldbody"] if carrier is None else self.bodies[carrier]
 
+    def own_names(self) -> dict[str, dict[str, str]]:
+        """Return by kind and name in MJCF what the robot calls it: see `Output.names`."""
+        joints, whole = self.motions, ("base", "single", "free")
+        return {
+            "link": {self.body_name(link): link for link in self.plan.bodies},
+            "joint": {name: joint for name, (joint, part) in joints.items() if part != "base"},
+            "part": {name: part for name, (_, part) in joints.items() if part not in whole},
+            "sensor": self.measured,
+        }
+
     def fail(
         self, code: str, message: str, hint: str, *, span: Span, trace: Step | None = None
     ) -> None:

@@ -4,19 +4,22 @@ from __future__ import annotations
 
 from ...model.convex import Convex
 from ...model.kinematics import link_poses
+from ...model.pose import Pose
 from ...model.positions import HOME, home_positions, positions_in
 from ...model.shapes import Mesh
 from ...xml.values import escaped_attribute
 from ..elements import number, row
 from ..output import MARK
+from .assets import Looks
+from .model import Writing
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from ...model.link import Link
-    from ...model.pose import Pose
-    from .model import Writing
+    from ...model.robot import Robot
+    from ..output import Wanted
 
 
 DOWN = (0.0, 0.0, -1.0)
@@ -76,6 +79,24 @@ def heights_at(writing: Writing, poses: Mapping[str, Pose]) -> dict[str, float]:
         for link, height in lowest.items()
         if height < 0 or writing.robot.parent_joint(link) is None
     }
+
+
+def free_pose_at_home(robot: Robot, wanted: Wanted, link: str) -> Pose | None:
+    """Return T_world_link at home of a link that stands on the floor; None if it is held there."""
+    writing, poses = Writing(robot, wanted), link_poses(robot, home_positions(robot))
+    free = writing.plan.free[link]
+    if free is None:
+        return None
+    looks = Looks(writing)
+    for each in writing.plan.order:
+        for collision in each.collisions:
+            shape = collision.shape
+            if not isinstance(shape, Mesh):
+                writing.collisions.append((each, collision, ()))
+            elif looks.collision_mesh(each, collision, shape) is not None:
+                writing.collisions.append((each, collision, looks.corners_of(shape)))
+    height = heights_at(writing, poses).get(free, 0.0)
+    return Pose(position=(0.0, 0.0, height)) @ poses[link]
 
 
 # --- scene ------------------------------------------------------------------------------------

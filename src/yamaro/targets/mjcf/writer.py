@@ -37,6 +37,19 @@ def write(robot: Robot, wanted: Wanted) -> Output:
     Raises:
         YamaroError: MuJoCo would refuse it, such as a mesh that is not there.
     """
+    writing, top = modelled(robot, wanted)
+    root = document(writing, top)
+    file_name = wanted.file_name or f"{wanted.name}.xml"
+    files = {TARGETS["mjcf"].beside[0]: scene(writing, file_name), **writing.files}
+    return Output(root, writing.losses, files, names=writing.own_names())
+
+
+def modelled(robot: Robot, wanted: Wanted) -> tuple[Writing, list[Element]]:
+    """Return the sections of a robot's MJCF, and those besides, of which some are of blocks.
+
+    Raises:
+        YamaroError: MuJoCo would refuse the robot.
+    """
     writing = Writing(robot, wanted)
     add_bodies(writing)
     add_geoms(writing, Looks(writing))
@@ -57,19 +70,15 @@ def write(robot: Robot, wanted: Wanted) -> Output:
     writing.losses += foreign_losses(robot)
     if writing.errors:
         raise YamaroError(writing.errors)
-    top += [each for each in writing.sections.values() if each.children]
-    children = sorted(top, key=lambda each: RANKS.get(each.name, len(RANKS)))
-    root = element("mujoco", {"model": writing.model}, children=children, owner=robot.element)
-    file_name = wanted.file_name or f"{wanted.name}.xml"
-    files = {TARGETS["mjcf"].beside[0]: scene(writing, file_name), **writing.files}
-    joints, parts = writing.motions, ("base", "single", "free")
-    names = {
-        "link": {writing.body_name(link): link for link in writing.plan.bodies},
-        "joint": {name: joint for name, (joint, part) in joints.items() if part != "base"},
-        "part": {name: part for name, (_, part) in joints.items() if part not in parts},
-        "sensor": writing.measured,
-    }
-    return Output(root, writing.losses, files, names=names)
+    return writing, top
+
+
+def document(writing: Writing, top: list[Element]) -> Element:
+    """Return the root of a document with its sections, and those besides."""
+    sections = [*top, *(each for each in writing.sections.values() if each.children)]
+    children = sorted(sections, key=lambda each: RANKS.get(each.name, len(RANKS)))
+    owner = writing.robot.element
+    return element("mujoco", {"model": writing.model}, children=children, owner=owner)
 
 
 # --- the head of a model --------------------------------------------------------------------
