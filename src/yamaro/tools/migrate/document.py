@@ -21,7 +21,7 @@ MOST_UNCLOSED = 100
 class Body:
     """A mapping of the language: entries in order, whose keys may come again."""
 
-    __slots__ = ("entries", "in_braces", "latest", "opening", "remark", "width")
+    __slots__ = ("entries", "has_call", "in_braces", "latest", "opening", "remark", "width")
 
     def __init__(
         self, entries: Iterable[Entry] = (), *, in_braces: bool = False, width: int = WIDTH
@@ -30,6 +30,8 @@ class Body:
         self.entries = list(entries)
         self.in_braces = in_braces
         self.width = width
+        self.has_call = False
+        """Whether its last entry is a call without arguments, which may stay in the braces."""
         self.remark = ""
         """A comment for the entry that comes next, or below the last one."""
         self.opening = ""

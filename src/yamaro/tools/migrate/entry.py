@@ -34,16 +34,16 @@ if TYPE_CHECKING:
 COMMAND = Command(
     "migrate",
     ("FILE [-o FILE]", "FILE -o FOLDER [name:=value ...]"),
-    "convert URDF, xacro or other XML to YAML",
-    "Convert a URDF, or other XML, to a YAML file; convert a xacro robot to a folder of "
-    "YAML files, one for each xacro file. Then build the result, and report any "
+    "convert URDF, xacro, MJCF, SDF or other XML to YAML",
+    "Convert a robot in URDF, MJCF or SDF, or other XML, to a YAML file; convert a xacro robot "
+    "to a folder of YAML files, one for each xacro file. Then build the result, and report any "
     "difference.",
     words=(
         ("FILE", "the XML file, or - for standard input"),
         ("name:=value", "set a xacro argument for the comparison"),
     ),
     looks=True,
-    endings=("urdf", "xacro", "xml"),
+    endings=("urdf", "xacro", "xml", "mjcf", "sdf"),
     place=6,
     options=(
         "output",
@@ -64,6 +64,7 @@ COMMAND = Command(
         ),
         Option("all", "migrate the files of all packages", excludes=("with",)),
         *WORKING,
+        "model",
     ),
     help_of={
         "output": (
@@ -105,6 +106,7 @@ def run(arguments: Arguments, streams: Streams) -> int:
             policy=policy,
             exact=arguments.has("exact"),
             wanted=(ALL,) if arguments.has("all") else arguments.lists.get("with", ()),
+            model=arguments.options.get("model"),
         )
         result = job.run()
     except YamaroError as error:
@@ -134,6 +136,8 @@ def _deliver(result: Result, arguments: Arguments, streams: Streams) -> int:
     name, say = display_name(arguments), sayer(streams)
     end = ""
     is_printed = goes_to_standard_output(arguments)
+    if "" in result.files:
+        show(result.diagnostics, arguments, streams)
     if "" in result.files and not is_printed and _is_folder(arguments.output_path):
         from .xacro.includes import source_name
 

@@ -149,7 +149,8 @@ def is_inertia_of(kind: str, sizes: Sequence[str], mass: str, moments: Sequence[
         mass: its mass.
         moments: ixx, ixy, ixz, iyy, iyz, izz.
     """
-    if len(sizes) != SIZES.get(kind):
+    shape = SIMPLE_SHAPES.get(kind)
+    if shape is None or len(sizes) != len(shape.sizes):
         return False
 
     def is_equal(sample: Sample) -> bool:

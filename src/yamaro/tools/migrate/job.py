@@ -14,7 +14,9 @@ from ...sandbox.deadline import TimeOver, run_within
 from ...sandbox.deep_stack import run_on_deep_stack
 from ...sandbox.jail.protocol import JailAnswerBroken, JailUnavailable, pack, unpack
 from ...sandbox.transfer import Outcome, from_bytes, to_bytes
+from ...sources.table import SOURCES
 from . import urdf as command
+from .robots import Builder, migrate_robot
 from .xacro import command as xacro_command
 
 TYPE_CHECKING = False
@@ -77,6 +79,7 @@ class Job:
         policy: how far the file is trusted.
         exact: whether an origin that is missing has to stay missing.
         wanted: packages whose files are migrated as well.
+        model: the name of the model of a file with several; None for the first.
     """
 
     __slots__ = (
@@ -85,6 +88,7 @@ class Job:
         "arguments",
         "exact",
         "folder",
+        "model",
         "packages",
         "policy",
         "source",
@@ -101,6 +105,7 @@ class Job:
         policy: Policy | None = None,
         exact: bool = False,
         wanted: Sequence[str] = (),
+        model: str | None = None,
     ) -> None:
         """Say what is wanted; by default the file is trusted."""
         self.source = source
@@ -110,6 +115,7 @@ class Job:
         self.policy = policy or Policy()
         self.exact = exact
         self.wanted = list(wanted)
+        self.model = model
         path = source.path or "-"
         self._reach = reach_of(path, self.policy, self.packages)
         self._finder = finder_for(path, self._reach, self.packages)
@@ -154,14 +160,38 @@ class Job:
             if not self.source.path:
                 raise UsageError("a robot in xacro is migrated from a file, not from a pipe")
             return self._migrate_xacro()
+        format = SOURCES.get(root.name)
         if self.arguments:
-            raise UsageError(f"a URDF has no argument to set: '{self.arguments[0]}'")
+            title = "a URDF" if format is None else f"an {format.title}"
+            raise UsageError(f"{title} has no argument to set: '{self.arguments[0]}'")
         policy = Policy(SAFE) if is_guarded else Policy()
+        if format is not None:
+            return self._migrate_robot(format.name, policy)
         migration = command.migrate_source(self.source, limits, policy=policy, exact=self.exact)
         return Result(
             {"": migration.text},
             "",
             report=command.report(migration),
+            is_same=not migration.differences,
+        )
+
+    def _migrate_robot(self, format: str, building: Policy) -> Result:
+        """Return the source of a robot in MJCF or SDF; `building` is how far that is trusted."""
+        builder = Builder(format, self.folder, packages=self.packages, reach=self._reach)
+        migration = migrate_robot(
+            self.source,
+            builder,
+            policy=self.policy,
+            building=building,
+            exact=self.exact,
+            model=self.model,
+        )
+        return Result(
+            {"": migration.text},
+            "",
+            diagnostics=migration.diagnostics,
+            report=command.report(migration, migration.counts),
+            remark=migration.remark(),
             is_same=not migration.differences,
         )
 

@@ -19,13 +19,15 @@ from .formulas import Degrees, is_inertia_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Mapping
+    from collections.abc import Callable, Iterable, Mapping, Sequence
 
 
 # --- geometry, poses, materials and inertials in short ----------------------------------------
 
 
 SIZES = {kind: shape.attributes for kind, shape in SIMPLE_SHAPES.items() if shape.since == "1.0"}
+ALL_SIZES = {kind: shape.attributes for kind, shape in SIMPLE_SHAPES.items()}
+"""Those of URDF 1.1 as well."""
 
 
 class NoPart(Exception):
@@ -38,15 +40,19 @@ class Geometry:
     Attributes:
         word: the word of the shape, or the name of a mesh file in the language's spelling.
         scale: its numbers, as one text; None for a mesh without one.
+        has_named_sizes: whether the sizes of a shape have a key each, in place of `scale`.
     """
 
-    __slots__ = ("kind", "scale", "word")
+    __slots__ = ("has_named_sizes", "kind", "scale", "word")
 
-    def __init__(self, kind: str, word: str, scale: str | None) -> None:
+    def __init__(
+        self, kind: str, word: str, scale: str | None, *, has_named_sizes: bool = False
+    ) -> None:
         """Hold them; `kind` is the name of the URDF element."""
         self.kind = kind
         self.word = word
         self.scale = scale
+        self.has_named_sizes = has_named_sizes
 
     def key(self) -> tuple[str, str | None]:
         """Return a value that is equal for equal geometries."""
@@ -55,7 +61,12 @@ class Geometry:
     def entries(self) -> list[Entry]:
         """Return the entries that say it."""
         entries = [Entry("geometry", self.word)]
-        if self.scale is not None:
+        if self.has_named_sizes and self.kind in ALL_SIZES:
+            names = ALL_SIZES[self.kind]
+            words = self.sizes()
+            rows = [self.scale or ""] if len(names) < len(words) else words
+            entries += [Entry(name, row) for name, row in zip(names, rows, strict=True)]
+        elif self.scale is not None:
             entries.append(Entry("scale", self.scale))
         return entries
 
@@ -104,6 +115,7 @@ class LinkPlan:
         is_solid: Callable[[Element, Geometry], bool],
         *,
         exact: bool,
+        sizes: Mapping[str, Sequence[str]] | None = None,
     ) -> None:
         """Look at a link.
 
@@ -113,6 +125,8 @@ class LinkPlan:
             has_form: decides which of its sections have a short form.
             is_solid: decides whether an inertial has the inertia of a geometry.
             exact: whether an origin that is missing has to stay missing.
+            sizes: the shapes that may be named, each with its sizes, which have a key each then; by
+                default those of URDF 1.0, with `scale`.
         """
         self._is_solid = is_solid
         self._exact = exact
@@ -124,7 +138,7 @@ class LinkPlan:
         posed: list[Element] = []
         for child in link.elements():
             if child.name in ("visual", "collision") and has_form(child):
-                self.sections[id(child)] = read_geometry(child, file_name)
+                self.sections[id(child)] = read_geometry(child, file_name, sizes)
                 posed.append(child)
             elif child.name == "inertial" and self.inertial is None and has_form(child):
                 self.inertial = child
@@ -159,7 +173,11 @@ class LinkPlan:
                 self.geometry = geometry
 
 
-def read_geometry(section: Element, file_name: Callable[[str], str]) -> Geometry | None:
+def read_geometry(
+    section: Element,
+    file_name: Callable[[str], str],
+    sizes: Mapping[str, Sequence[str]] | None = None,
+) -> Geometry | None:
     """Return the geometry of a visual or collision, or None if it has no short form."""
     geometry = child_named(section, "geometry")
     shapes = geometry.elements()
@@ -175,11 +193,11 @@ def read_geometry(section: Element, file_name: Callable[[str], str]) -> Geometry
             return None
         scale = attributes.get("scale")
         return Geometry("mesh", file_name(file), None if scale is None else numbers_of(scale, 3))
-    names = SIZES.get(shape.name)
+    names = (SIZES if sizes is None else sizes).get(shape.name)
     if names is None or sorted(attributes) != sorted(names):
         return None
-    words = " ".join(attributes[name] for name in names)
-    return Geometry(shape.name, shape.name, numbers_of(words, COUNTS[shape.name]))
+    words = numbers_of(" ".join(attributes[name] for name in names), COUNTS[shape.name])
+    return Geometry(shape.name, shape.name, words, has_named_sizes=sizes is not None)
 
 
 def is_short_material(material: Element) -> bool:
@@ -323,9 +341,13 @@ PART_KEYS = frozenset().union(
 class ShortNames:
     """The names that parts may be called by in place of their links and joints."""
 
-    __slots__ = ("joints", "links", "of_joints", "of_links")
+    __slots__ = ("joints", "links", "naming", "of_joints", "of_links")
 
-    def __init__(self, elements: list[Element]) -> None:
+    def __init__(
+        self, elements: list[Element], naming: tuple[str, str] = ("*_joint", "*_link")
+    ) -> None:
+        """Take what a robot holds, and how joints and links are named after parts."""
+        self.naming = naming
         self.links = {name_of(e) for e in elements if e.name == "link"}
         self.joints = {name_of(e) for e in elements if e.name == "joint"}
         self.of_links: dict[str, str] = {}
@@ -333,16 +355,25 @@ class ShortNames:
 
     def add(self, link: Element, joint: Element | None) -> str | None:
         """Return what a part is called if one name gives both of its own, and remember it."""
-        stem = name_of(link).removesuffix("_link")
-        if not stem or stem + "_link" != name_of(link):
-            return None
-        if joint is not None and name_of(joint) != stem + "_joint":
+        stem = self.stem(link, joint)
+        if stem is None:
             return None
         if stem not in self.links:
             self.of_links[name_of(link)] = stem
         if joint is not None and stem not in self.joints:
             self.of_joints[name_of(joint)] = stem
         return stem
+
+    def stem(self, link: Element, joint: Element | None) -> str | None:
+        """Return the one name that gives a link and its joint theirs, or None."""
+        of_joints, of_links = self.naming
+        before, _, after = of_links.partition("*")
+        name = name_of(link)
+        stem = name[len(before) : len(name) - len(after)]
+        if not stem or before + stem + after != name:
+            return None
+        is_own = joint is None or name_of(joint) == of_joints.replace("*", stem)
+        return stem if is_own else None
 
     def remove(self, link: Element, joint: Element | None) -> None:
         """Forget what is not a part."""
@@ -382,8 +413,9 @@ class PartWriter:
         Raises:
             NoPart: it cannot be written as one.
         """
-        checked_word(name_of(link))
-        is_empty = not link.elements()
+        has_odd_name = self._check_names(link, joint)
+        words = self._words_of_link(link)
+        is_empty = not link.elements() and not words
         if joint is None and is_empty:
             return self._elements.entry(link)
         body = Body(in_braces=is_empty)
@@ -391,25 +423,55 @@ class PartWriter:
         link_key = "link"
         if own_name is not None:
             body.add("name", own_name)
-        elif joint is None:
+        elif joint is None or has_odd_name:
             link_key = self._elements.key("link", {"name": name_of(link)})
         else:
-            body.add("name", f"{checked_word(name_of(joint))} {name_of(link)}")
+            body.add("name", f"{name_of(joint)} {name_of(link)}")
         others = {key: value for key, value in values_of(link).items() if key != "name"}
         if others:
             if link_key != "link":
                 others = {"name": name_of(link), **others}
             link_key = self._elements.key("link", others)
         entries = []
-        if not is_empty or others:
-            entries.append(Entry(link_key, self._link(link)))
+        if not is_empty or others or link_key != "link":
+            inner = self._link(link) or Body()
+            inner.entries += words
+            entries.append(Entry(link_key, inner or None))
         if joint is not None:
-            entries.insert(0 if joint_first else len(entries), self._joint_entry(joint))
+            named = {"name": name_of(joint)} if has_odd_name else {}
+            entries.insert(0 if joint_first else len(entries), self._joint_entry(joint, named))
         body.entries += entries
         part = Entry("part", body)
         if is_empty and not others:
             note_comments(link, part)
         return part
+
+    def _check_names(self, link: Element, joint: Element | None) -> bool:
+        """Return whether a name cannot be a word of the name of a part.
+
+        Raises:
+            NoPart: then it is not written as a part.
+        """
+        checked_word(name_of(link))
+        if joint is not None and self._names.stem(link, joint) is None:
+            checked_word(name_of(joint))
+        return False
+
+    def _words_of_link(self, link: Element) -> list[Entry]:
+        """Return the words in a link that make no elements of it."""
+        return []
+
+    def _words_of_joint(self, joint: Element) -> list[Entry]:
+        """Return the words in a joint that make no elements of it."""
+        return []
+
+    def _words_of_section(self, section: Element) -> list[Entry]:
+        """Return the words in a visual or collision that make no elements of it."""
+        return []
+
+    def words_of_frame(self, link: Element) -> list[Entry] | None:
+        """Return the words in a frame; None if its link has some that a frame cannot have."""
+        return []
 
     def pose_entries(self, owner: Element, origin: Element | None) -> list[Entry] | None:
         """Return the entries that give an origin, or None if an element has to give it."""
@@ -428,10 +490,12 @@ class PartWriter:
 
     # --- joints ---------------------------------------------------------------------------------
 
-    def _joint_entry(self, joint: Element) -> Entry:
+    def _joint_entry(self, joint: Element, named: dict[str, str]) -> Entry:
+        """Return the joint of a part; `named` is its name, if that of the part does not say it."""
         attributes = values_of(joint)
         kind = attributes.pop("type", None)
         attributes.pop("name")
+        attributes = {**named, **attributes}
         if kind is None or has_text(joint):
             raise NoPart
         body = Body(in_braces=True)
@@ -468,6 +532,7 @@ class PartWriter:
         self._add_pose(joint, seen.get("origin"), body)
         _add_remarks(remarks, body)
         body.extend(rest)
+        body.entries += self._words_of_joint(joint)
         return Entry(self._elements.key("joint", attributes), body)
 
     def _joint_entry_of(self, child: Element, attributes: dict[str, str], kind: str) -> Entry:
@@ -573,6 +638,7 @@ class PartWriter:
         self._write_all(section, rest, write)
         _add_remarks(remarks, body)
         body.extend(rest)
+        body.entries += self._words_of_section(section)
         if all(isinstance(entry.value, str) for entry in body):
             body.width = RECORD_WIDTH
         return Entry(self._elements.key(section.name, values_of(section)), body or None)
@@ -708,11 +774,13 @@ class Frames:
 
         What is remarked next in the body `around` belongs to it.
         """
-        if self._part is None or joint is None or not _is_frame(link, joint, self._link):
+        if self._part is None or joint is None or not is_frame(link, joint, self._link):
             return False
         pose = writer.pose_entries(joint, optional_child(joint, "origin"))
-        if pose is None:
+        words = writer.words_of_frame(link)
+        if pose is None or words is None:
             return False
+        pose += words
         frame = Entry(writer.key_of("frame", {"name": name_of(link)}), Body(pose, in_braces=True))
         frame.value = frame.value or None
         note_comments(joint, frame)
@@ -726,7 +794,7 @@ class Frames:
         return True
 
 
-def _is_frame(link: Element, joint: Element, parent: str) -> bool:
+def is_frame(link: Element, joint: Element, parent: str) -> bool:
     """Return whether a link and its joint are what a frame in the link `parent` makes."""
     name = name_of(link)
     if link.elements() or has_text(link) or has_text(joint) or list(values_of(link)) != ["name"]:

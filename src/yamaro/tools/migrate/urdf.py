@@ -38,7 +38,7 @@ from .writing import write_document
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Container, Mapping, Sequence
     from typing import TypeVar
 
     from ...model.compare import Difference
@@ -150,13 +150,15 @@ def migrate_urdf(
         if has_control:
             with_control = False
             continue
-        different = _different(root, source, built, exact=exact) - plain
+        different = different_parts(root, source, built, exact=exact) - plain
         if not different:
             return migration
         plain |= different
 
 
-def _different(expected: Element, source: Element, actual: Element, *, exact: bool) -> set[int]:
+def different_parts(
+    expected: Element, source: Element, actual: Element, *, exact: bool
+) -> set[int]:
     """Return the joints and links of `source` that differ from what is expected, by identity."""
     different = set()
     made = {(e.name, name_of(e)): e for e in actual.elements() if e.name in ("joint", "link")}
@@ -191,7 +193,7 @@ def _write(
         elements = ElementWriter(variables.file_name)
         model = None
         if root.name == "robot":
-            model = _Model(root, elements, variables, plain, exact=exact).body()
+            model = ModelWriter(root, elements, variables, plain, exact=exact).body()
         sections = Body()
         used = None if exact else prefixes_in(root)
         attributes = {name: value for name, value in values_of(root).items() if is_used(name, used)}
@@ -214,8 +216,13 @@ def _write(
             return write_document(sections, comments_above(document)), has_control
 
 
-class _Model:
-    """The body of a robot."""
+class ModelWriter:
+    """Writes the body of a robot.
+
+    Attributes:
+        names: the names of its parts.
+        parts: writes them.
+    """
 
     def __init__(
         self,
@@ -225,27 +232,30 @@ class _Model:
         plain: set[int],
         *,
         exact: bool,
+        naming: tuple[str, str] = ("*_joint", "*_link"),
     ) -> None:
         self._root = root
         self._elements = elements
         self._plain = plain
-        self._names = ShortNames(root.elements())
-        self._parts = PartWriter(elements, self._names, variables.material, exact=exact)
+        self.names = ShortNames(root.elements(), naming)
+        self.parts: PartWriter = PartWriter(elements, self.names, variables.material, exact=exact)
         self._frames = Frames()
 
-    def body(self) -> Body:
-        endings = comments_at_ends(self._root.children)
-        items, loose = pair(self._root.children, endings)
+    def body(self, *, without: Container[int] = ()) -> Body:
+        """Return it; elements whose identities are among those `without` are left out."""
+        nodes = [node for node in self._root.children if id(node) not in without]
+        endings = comments_at_ends(nodes)
+        items, loose = pair(nodes, endings)
         for item in items:  # parents and mimics may be named before their parts are written
             if item.element.name == "link" and not (self._is_plain(item) or is_bare(item)):
-                self._names.add(item.element, item.joint)
+                self.names.add(item.element, item.joint)
         body = Body()
         for item in items:
             for node in item.above:
                 add_loose(node, body, endings)
             link = item.element
             may_be_frame = link.name == "link" and not self._is_plain(item)
-            if not may_be_frame or not self._frames.take(link, item.joint, self._parts, body):
+            if not may_be_frame or not self._frames.take(link, item.joint, self.parts, body):
                 for entry in self._entries(item):
                     body.append(entry)
             for node in item.beside:
@@ -260,12 +270,12 @@ class _Model:
             self._frames.begin(None)
         if link.name == "link" and not self._is_plain(item):
             try:
-                part = self._parts.part(link, joint, joint_first=item.is_joint_first)
+                part = self.parts.part(link, joint, joint_first=item.is_joint_first)
                 self._frames.begin(part, name_of(link))
                 return [part]
             except NoPart:
                 self._plain.update(id(element) for element in (link, joint) if element is not None)
-                self._names.remove(link, joint)
+                self.names.remove(link, joint)
         entries = [self._elements.entry(link)]
         if joint is not None:
             entries.insert(0 if item.is_joint_first else 1, self._elements.entry(joint))
@@ -434,8 +444,11 @@ def migrate_source(
     return migration
 
 
-def report(migration: Migration | XacroMigration) -> str:
-    """Return what is said of a migration: how large the robot is, or in what it differs."""
+def report(migration: Migration | XacroMigration, others: Mapping[str, int] | None = None) -> str:
+    """Return what is said of a migration: how large the robot is, or in what it differs.
+
+    With `others`, the numbers of other things than links and joints, by name.
+    """
     if migration.differences:
         return "\n".join([f"different: {difference}" for difference in migration.differences])
     if migration.root.name != "robot":
@@ -444,6 +457,8 @@ def report(migration: Migration | XacroMigration) -> str:
     links = sum(child.name == "link" for child in children)
     joints = sum(child.name == "joint" for child in children)
     counts = f"{_counted(links, 'link')}, {_counted(joints, 'joint')}"
+    for what, number in (others or {}).items():
+        counts += f", {_counted(number, what)}"
     if migration.defaults:
         counts += f"; {_counted(migration.defaults, 'default')} written out"
     if migration.allowed:

@@ -208,7 +208,8 @@ def _in_braces(body: Body, remarks: list[str], width: int) -> str | None:
     pieces: list[str] = []
     keys = set()
     for entry in body:
-        if entry.key in keys or (entry.value is None and len(body.entries) > 1):
+        is_call = body.has_call and entry is body.entries[-1]
+        if entry.key in keys or (entry.value is None and len(body.entries) > 1 and not is_call):
             return None
         if entry.ending or (entry.comment and pieces):  # it is better right at its key
             return None

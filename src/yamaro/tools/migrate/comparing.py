@@ -1,0 +1,92 @@
+"""Compares what two robots have besides elements of URDF: their notes and blocks."""
+
+from __future__ import annotations
+
+from ...model.compare import Difference, compare
+from ...model.values import values_of
+from ...xml.tree import Element
+from .elements import name_of
+from .notes import ROBOT, home_of, is_setting, settings_of
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from ...xml.tree import Node
+
+OWN_ORDER = ("sensor", "state", "robot-group", "robot-loop")
+"""The notes whose order means something."""
+
+
+def compare_notes(
+    expected: tuple[Element, Sequence[Element]], actual: tuple[Element, Sequence[Element]]
+) -> list[Difference]:
+    """Return what differs in the notes and blocks of two robots, each with its `<robot>`."""
+    first, second = _sorted_notes(*expected), _sorted_notes(*actual)
+    differences: list[Difference] = []
+    for key, note in first.items():
+        if key not in second:
+            differences.append(Difference((key,), "is missing"))
+            continue
+        differences += [
+            Difference((key, *each.path[1:]), each.message) for each in compare(note, second[key])
+        ]
+    differences += [Difference((key,), "should not be there") for key in second if key not in first]
+    for kind in OWN_ORDER:
+        rows = [
+            [key for key, note in notes.items() if note.name == kind and key in first | second]
+            for notes in (first, second)
+        ]
+        if rows[0] != rows[1] and sorted(rows[0]) == sorted(rows[1]):
+            differences.append(Difference((f"{kind}s",), "are in another order"))
+    return differences
+
+
+def _sorted_notes(root: Element, notes: Sequence[Element]) -> dict[str, Element]:
+    """Return the notes of a robot by what they are, all blocks of one thing in one.
+
+    What a block of a link says of a site is said of the link that the site is.
+    """
+    found: dict[str, Element] = {}
+    blocks: dict[tuple[str, str, str], list[Element]] = {}
+    links = {name_of(each) for each in root.elements() if each.name == "link"}
+    for note in notes:
+        values = values_of(note)
+        home = home_of(note)
+        if note.name == "naming":
+            continue
+        if note.name == "raw-block":
+            for each in note.elements():
+                site = values_of(each).get("name", "")
+                if each.name == "site" and home[0] == "link" and site in links:
+                    block = blocks.setdefault((values["format"], "link", site), [])
+                    block += settings_of(each)
+                else:
+                    blocks.setdefault((values["format"], *home), []).append(each)
+            continue
+        key = f"{note.name} '{name_of(note)}'" if name_of(note) else note.name
+        if note.name in ("actuator", "surface"):
+            key = f"{note.name} of {home[0]} '{home[1]}'"
+            key += f", collision {values['index']}" if note.name == "surface" else ""
+        if note.name == "state":
+            note = note.with_children([_without(each, "written") for each in note.elements()])
+        if note.name == "base" or key not in found:
+            found[key] = note
+        elif note.name == "state":
+            found[key] = found[key].with_children([*found[key].children, *note.children])
+    for (format, kind, name), elements in blocks.items():
+        key = f"{format} of {kind} '{name}'" if (kind, name) != ROBOT else format
+        by_tag: dict[str, list[Element]] = {}
+        for each in elements:
+            by_tag.setdefault("" if is_setting(each) else each.name, []).append(each)
+        by_tag.get("", []).sort(key=lambda setting: setting.name)
+        ordered: list[Node] = [each for _, row in sorted(by_tag.items()) for each in row]
+        found[key] = Element("block", elements[0].span, {}, ordered)
+    return found
+
+
+def _without(element: Element, attribute: str) -> Element:
+    copy = element.with_children(element.children)
+    copy.attributes = {name: value for name, value in element.attributes.items()
+                       if name != attribute}  # fmt: skip
+    return copy

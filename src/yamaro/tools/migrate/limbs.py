@@ -1,0 +1,459 @@
+"""Limbs that a robot has several times, such as legs and fingers, as a function that is called.
+
+Limbs are alike if their parts have the same entries. What differs becomes a parameter: a word in
+all names (`left`), a sign (`$(left * 0.05)`), or the text of an entry.
+"""
+
+from __future__ import annotations
+
+import builtins
+import re
+from math import isclose
+
+from ...model.compare import NEGLIGIBLE, TOLERANCE
+from ...runtime.predefined import CONSTANTS
+from ...syntax.names import is_identifier
+from .document import RECORD_WIDTH, Body, Entry, Row, element_key, joined
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from .document import Value
+
+MOST_PARAMETERS = 8
+LEAST_SAVED = 3
+"""Lines that a function has to save."""
+_WORDS = re.compile(r"[^\W\d_]+|\d+|[\W_]+")
+_NUMBER = re.compile(r"([-+]?)((?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)(deg)?")
+_PLAIN = re.compile(r"(?:0|[1-9]\d*)?\.?\d*(?:[eE][-+]?\d+)?")
+_SIDES = frozenset("left right l r front rear back fl fr rl rr lf rf lh rh hl hr".split())
+_LIMBS = (
+    ("Leg", ("leg", "foot", "calf", "shin", "knee", "ankle", "thigh", "tibia", "shank", "hip")),
+    ("Finger", ("finger", "thumb", "knuckle", "phalanx", "proximal", "distal", "fingertip")),
+    ("Arm", ("arm", "elbow", "shoulder", "forearm", "wrist", "hand", "gripper")),
+    ("Wheel", ("wheel", "tire", "rim")),
+)
+"""What a limb is called by words in the names of its parts."""
+_DIRECTIONS = {"xyz": ("front", "left", "up")}
+"""Names of signs by the number that has them first: x is forward and y left (REP 103)."""
+
+
+class _NotAlike(Exception):
+    """Limbs differ in too much."""
+
+
+class _Hole:
+    """A text of a limb that may differ from limb to limb.
+
+    Attributes:
+        key: the key or attribute that it belongs to.
+        part: which of the limb's parts it is in.
+        texts: what it is in each limb.
+    """
+
+    __slots__ = ("key", "part", "texts")
+
+    def __init__(self, key: str, part: int, texts: list[str]) -> None:
+        self.key = key
+        self.part = part
+        self.texts = texts
+
+
+def share_limbs(model: Body, taken: set[str]) -> Body:
+    """Replace limbs that are alike by calls; return the functions.
+
+    Args:
+        model: the model.
+        taken: the names of functions and variables that there are.
+    """
+    functions = Body()
+    bodies = [model]
+    while bodies:
+        body = bodies.pop(0)
+        while (found := _best_group(body)) is not None:
+            function, calls, blocks = _function_of(body, found, taken)
+            for (first, last), call in sorted(zip(blocks, calls, strict=True), reverse=True,
+                                              key=lambda pair: pair[0]):  # fmt: skip
+                body.entries[first:last] = [call]
+            functions.append(function)
+            assert isinstance(function.value, Body)
+            inner = function.value.entries[-1].value
+            assert isinstance(inner, Body)
+            bodies.append(inner)
+    return functions
+
+
+# --- which limbs are alike --------------------------------------------------------------------
+
+
+def _best_group(body: Body) -> list[tuple[int, int]] | None:
+    """Return the places of limbs that are worth a function most, or None."""
+    groups: dict[object, list[tuple[int, int]]] = {}
+    for first, last in _limbs(body):
+        shape = tuple(_shape(entry) for entry in body.entries[first:last])
+        groups.setdefault(shape, []).append((first, last))
+    ranked = sorted(
+        ((_size(body, places) * (len(places) - 1), places) for places in groups.values()),
+        key=lambda pair: -pair[0],
+    )
+    for _, places in ranked:
+        if len(places) < 2:
+            continue
+        try:
+            if _Alike(body, places).saved() >= LEAST_SAVED:
+                return places
+        except _NotAlike:
+            continue
+    return None
+
+
+def _size(body: Body, places: Sequence[tuple[int, int]]) -> int:
+    first, last = places[0]
+    return sum(_lines(entry) for entry in body.entries[first:last])
+
+
+def _lines(entry: Entry) -> int:
+    value = entry.value
+    if isinstance(value, Body) and not value.in_braces:
+        return 1 + sum(_lines(each) for each in value)
+    return 1
+
+
+def _limbs(body: Body) -> Iterator[tuple[int, int]]:
+    """Yield where each part begins, and where the parts below it end."""
+    entries = body.entries
+    names = [_names_in(entry) for entry in entries]
+    for first, entry in enumerate(entries):
+        if not names[first] or _parent(entry) is None:
+            continue
+        known, last = set(names[first]), first + 1
+        while last < len(entries) and names[last] and _parent(entries[last]) in known:
+            known |= names[last]
+            last += 1
+        yield first, last
+
+
+def _names_in(entry: Entry) -> set[str]:
+    """Return the names by which others may call what a part makes; none for another entry."""
+    if entry.key != "part" or not isinstance(entry.value, Body):
+        return set()
+    found: set[str] = set()
+    for own in entry.value:
+        if own.key == "name" and isinstance(own.value, str):
+            words = own.value.split()
+            found |= {*words, *(f"{word}_link" for word in words)}
+        elif own.key.startswith("link"):
+            found |= {word for word in [_attributes(own.key)[1].get("name")] if word}
+            if isinstance(own.value, Body):
+                for each in own.value:
+                    if each.key.startswith(("frame/", "sensor/")):
+                        found.add(_attributes(each.key)[1].get("name", ""))
+    return found
+
+
+def _parent(entry: Entry) -> str | None:
+    assert isinstance(entry.value, Body)
+    for own in entry.value:
+        if own.key.partition("/")[0] == "joint" and isinstance(own.value, Body):
+            for each in own.value:
+                if each.key == "parent" and isinstance(each.value, str):
+                    return each.value
+    return None
+
+
+def _attributes(key: str) -> tuple[str, dict[str, str]]:
+    """Return the name in a key, and its attributes if they are plain; else the whole key."""
+    name, slash, rest = key.partition("/")
+    if not slash or any(mark in key for mark in "$'\"<"):
+        return key, {}
+    pairs = [piece.partition("=") for piece in rest.split(", ")]
+    if any(not equals for _, equals, _ in pairs):
+        return key, {}
+    return name, {attribute: value for attribute, _, value in pairs}
+
+
+def _shape(entry: Entry) -> object:
+    """Return what limbs that are alike have in common: all but texts."""
+    name, attributes = _attributes(entry.key)
+    value = entry.value
+    inner: object = type(value).__name__
+    if isinstance(value, Body):
+        inner = tuple(_shape(each) for each in value)
+    elif isinstance(value, str):
+        inner = len(value.split())
+    return name, tuple(attributes), inner
+
+
+def _texts(entry: Entry) -> Iterator[tuple[str, str]]:
+    """Yield the texts of an entry in the order of `_rebuilt`, each with its key."""
+    name, attributes = _attributes(entry.key)
+    yield from attributes.items()
+    if isinstance(entry.value, Body):
+        for each in entry.value:
+            yield from _texts(each)
+    elif isinstance(entry.value, str):
+        yield name, entry.value
+
+
+def _rebuilt(entry: Entry, texts: Iterator[str]) -> Entry:
+    """Return an entry with other texts."""
+    name, attributes = _attributes(entry.key)
+    key = entry.key
+    if attributes:
+        key = element_key(name, {attribute: next(texts) for attribute in attributes})
+    value: Value = entry.value
+    if isinstance(value, Body):
+        inner = Body([_rebuilt(each, texts) for each in value], in_braces=value.in_braces,
+                     width=value.width)  # fmt: skip
+        inner.remark, inner.opening = value.remark, value.opening
+        value = inner
+    elif isinstance(value, str):
+        text = next(texts)
+        value = type(value)(text) if not isinstance(value, Row) and text == value else text
+    made = Entry(key, value, entry.comment)
+    made.ending = entry.ending
+    return made
+
+
+# --- what differs -----------------------------------------------------------------------------
+
+
+class _Alike:
+    """Limbs that are alike, with what differs in them.
+
+    Attributes:
+        parameters: the values of each parameter, one for each limb, by its name.
+        texts: the texts of the function.
+    """
+
+    def __init__(self, body: Body, places: Sequence[tuple[int, int]]) -> None:
+        """Look at limbs.
+
+        Raises:
+            _NotAlike: too much differs.
+        """
+        self._limbs = [body.entries[first:last] for first, last in places]
+        self.parameters: dict[str, list[str]] = {}
+        self._words: dict[tuple[str, ...], str] = {}
+        self._signs: dict[tuple[int, ...], str] = {}
+        self._whole: dict[tuple[str, ...], str] = {}
+        rows = [
+            [
+                (number, key, text)
+                for number, entry in enumerate(limb)
+                for key, text in _texts(entry)
+            ]
+            for limb in self._limbs
+        ]
+        self._name = self._called(rows)
+        self._find_words()
+        self.texts = [
+            self._text(_Hole(row[0][1], row[0][0], [text for _, _, text in row]))
+            for row in zip(*rows, strict=True)
+        ]
+
+    @property
+    def name(self) -> str:
+        """Return what to call the function."""
+        return self._name
+
+    def _called(self, rows: list[list[tuple[int, str, str]]]) -> str:
+        if len(self._limbs[0]) > 1:
+            names = " ".join(text for _, key, text in rows[0] if key == "name").lower()
+            words = set(_WORDS.findall(names))
+            for name, known in _LIMBS:
+                if not words.isdisjoint(known):
+                    return name
+        limbs = [_first_name(limb[0]) for limb in self._limbs]
+        split = [_WORDS.findall(name) for name in limbs]
+        common = [word for word in split[0] if all(word in other for other in split)]
+        words_in = [word for word in common if word.isalpha() and word.isascii()]
+        return "".join(word[:1].upper() + word[1:] for word in words_in) or "Limb"
+
+    def saved(self) -> int:
+        """Return how many lines a function saves."""
+        lines = sum(_lines(entry) for entry in self._limbs[0])
+        calls = 1 + len(self.parameters) // 5
+        return (len(self._limbs) - 1) * lines - len(self._limbs) * calls - 3
+
+    def _find_words(self) -> None:
+        """Find the words in the names of the limbs' first parts that differ."""
+        names = [_first_name(limb[0]) for limb in self._limbs]
+        split = [_WORDS.findall(name) for name in names]
+        if len({len(words) for words in split}) > 1:
+            raise _NotAlike
+        for column in zip(*split, strict=True):
+            if len(set(column)) > 1 and tuple(column) not in self._words:
+                is_side = {word.lower() for word in column} <= _SIDES
+                stem = "side" if is_side else "number" if column[0].isdigit() else "name"
+                if stem == "side" and self._name.lower() in ("leg", "wheel") and len(column) > 2:
+                    stem = self._name.lower()
+                self._words[tuple(column)] = self._new(stem, list(column))
+        if len({*names}) < len(names):
+            raise _NotAlike
+
+    def _new(self, stem: str, values: list[str]) -> str:
+        """Add a parameter, and return its name.
+
+        Raises:
+            _NotAlike: there are too many.
+        """
+        if len(self.parameters) >= MOST_PARAMETERS:
+            raise _NotAlike
+        stem = "".join(char if char.isalnum() else "_" for char in stem)
+        name, number = stem if _is_free(stem) else f"{stem}_", 2
+        unique = name
+        while unique in self.parameters:
+            unique, number = f"{name}_{number}", number + 1
+        self.parameters[unique] = values
+        return unique
+
+    def _text(self, hole: _Hole) -> str:
+        """Return the text of the function for a text of the limbs."""
+        first, *others = hole.texts
+        if all(other == first for other in others):
+            return first
+        numbers = self._numbers(hole)
+        if numbers is not None:
+            return numbers
+        words = self._in_words(hole.texts)
+        if words is not None:
+            return words
+        key = tuple(hole.texts)
+        if key not in self._whole:
+            if any("$(" in text for text in key):
+                raise _NotAlike
+            stem = {"geometry": "mesh", "name": "name"}.get(hole.key, hole.key)
+            if stem in self.parameters or stem == "name":
+                own = _WORDS.findall(_first_name(self._limbs[0][hole.part]))
+                common = [word for word in own if (word,) * len(key) not in self._words]
+                letters = [word for word in common if word.isalpha() and word.isascii()]
+                fixed = [w for w in letters if not any(w in column for column in self._words)]
+                stem = f"{fixed[-1].lower()}_{stem}" if fixed else stem
+            self._whole[key] = self._new(stem, hole.texts)
+        return f"$({self._whole[key]})"
+
+    def _in_words(self, texts: list[str]) -> str | None:
+        """Return names in which only words differ that differ in all names."""
+        split = [_WORDS.findall(text) for text in texts]
+        if len({len(words) for words in split}) > 1:
+            return None
+        pieces = []
+        for column in zip(*split, strict=True):
+            if len(set(column)) == 1:
+                pieces.append(column[0])
+            elif column in self._words:
+                pieces.append(f"$({self._words[column]})")
+            else:
+                return None
+        return "".join(pieces)
+
+    def _numbers(self, hole: _Hole) -> str | None:
+        """Return numbers that differ at most in signs, or None."""
+        rows = [[_NUMBER.fullmatch(word) for word in text.split()] for text in hole.texts]
+        if len({len(row) for row in rows}) > 1 or not rows[0]:
+            return None
+        pieces = []
+        signs: list[tuple[tuple[int, ...], int]] = []
+        for index, column in enumerate(zip(*rows, strict=True)):
+            found = [match for match in column if match is not None]
+            if len(found) < len(column) or len({match[3] for match in found}) > 1:
+                return None
+            values = [float(match[1] + match[2]) for match in found]
+            if all(_is_close(values[0], value) for value in values):
+                pieces.append(found[0][0])
+                continue
+            if not all(_is_close(abs(values[0]), abs(value)) for value in values):
+                return None
+            signs.append((tuple(1 if value > 0 else -1 for value in values), index))
+            digits = found[0][2] if _PLAIN.fullmatch(found[0][2]) else repr(abs(values[0]))
+            pieces.append(f"{len(signs) - 1}|{digits}|{found[0][3] or ''}")
+        for number, (pattern, index) in enumerate(signs):
+            name, factor = self._sign(pattern, hole.key, index)
+            for place, piece in enumerate(pieces):
+                if piece.startswith(f"{number}|"):
+                    _, digits, unit = piece.split("|")
+                    product = name if float(digits) == 1 and not unit else f"{digits} * {name}"
+                    pieces[place] = f"$({factor}{product}){unit}"
+        return " ".join(pieces)
+
+    def _sign(self, pattern: tuple[int, ...], key: str, index: int) -> tuple[str, str]:
+        """Return the parameter for a pattern of signs, and `-` if it has the opposite signs."""
+        opposite = tuple(-sign for sign in pattern)
+        if pattern in self._signs:
+            return self._signs[pattern], ""
+        if opposite in self._signs:
+            return self._signs[opposite], "-"
+        stem = _DIRECTIONS.get(key, ("sign",) * 6)[min(index, 2)]
+        name = self._new(stem, [str(sign) for sign in pattern])
+        self._signs[pattern] = name
+        return name, ""
+
+
+def _function_of(
+    body: Body, places: Sequence[tuple[int, int]], taken: set[str]
+) -> tuple[Entry, list[Entry], Sequence[tuple[int, int]]]:
+    """Return a function that makes limbs, the call of each, and their places."""
+    alike = _Alike(body, places)
+    name, number = alike.name, 2
+    if name in taken:
+        column = next(iter(alike.parameters.values()))
+        prefix = _common_start(column)
+        name = f"{alike.name}{prefix}" if prefix.isalnum() else name
+    unique = name
+    while unique in taken:
+        unique, number = f"{name}{number}", number + 1
+    taken.add(unique)
+    first, last = places[0]
+    texts = iter(alike.texts)
+    inner = Body([_rebuilt(entry, texts) for entry in body.entries[first:last]])
+    comment, inner.entries[0].comment = inner.entries[0].comment, ""
+    value = Body([Entry("input", Row([*alike.parameters])), Entry("body", inner)])
+    calls = []
+    for index, (start, end) in enumerate(places):
+        arguments = Body(
+            [Entry(key, values[index]) for key, values in alike.parameters.items()],
+            in_braces=True,
+            width=RECORD_WIDTH,
+        )
+        remarks = _comments(body.entries[start:end]) if index else [comment]
+        kept = [each for each in remarks if each not in _comments(inner.entries)]
+        calls.append(Entry(unique, arguments, joined(*kept)))
+    return Entry(unique, value), calls, places
+
+
+def _comments(entries: Sequence[Entry]) -> list[str]:
+    found = []
+    for entry in entries:
+        found += [entry.comment, entry.ending]
+        if isinstance(entry.value, Body):
+            found += [entry.value.opening, *_comments(entry.value.entries), entry.value.remark]
+    return [each for each in found if each]
+
+
+def _first_name(entry: Entry) -> str:
+    """Return the name of a part's link, or of its part."""
+    assert isinstance(entry.value, Body)
+    for own in entry.value:
+        if own.key == "name" and isinstance(own.value, str):
+            return own.value.split()[-1]
+        name = _attributes(own.key)[1].get("name")
+        if own.key.startswith("link/") and name:
+            return name
+    raise _NotAlike
+
+
+def _common_start(texts: Sequence[str]) -> str:
+    first, last = min(texts), max(texts)
+    end = next((i for i, char in enumerate(first) if char != last[i]), len(first))
+    return first[:end].capitalize()
+
+
+def _is_close(one: float, other: float) -> bool:
+    return isclose(one, other, rel_tol=TOLERANCE / 10, abs_tol=NEGLIGIBLE / 10)
+
+
+def _is_free(name: str) -> bool:
+    """Return whether a name can be that of a parameter and hides nothing."""
+    return is_identifier(name) and name not in CONSTANTS and not hasattr(builtins, name)

@@ -1,0 +1,408 @@
+"""Notes and blocks of a robot as words of the language: `sensor`, `actuator`, `states`, `mjcf`.
+
+Those of a joint, a link, a collision or a frame are entries of it; the others are sections of the
+file and statements of the model. What a block says of a geom is written at the shape of its name,
+unless the order of the geoms would be another one then.
+"""
+
+from __future__ import annotations
+
+from ...model.extras import CAMERAS
+from ...model.schema import ACTUATOR, OF_MOTOR, SENSOR, SENSORS, SURFACE
+from ...model.values import values_of
+from ...robot.extras import OPTICAL
+from ...xml.tree import Element
+from .document import RECORD_WIDTH, Body, Entry
+from .elements import child_of, has_text, is_short, name_of
+from .formulas import TURNING
+from .parts import is_frame
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+
+    from .elements import ElementWriter
+    from .formulas import Degrees
+    from .parts import ShortNames
+
+    Home = tuple[str, str]
+
+ROBOT = ("", "")
+"""The home of blocks of the robot as a whole."""
+MJCF = "mjcf"
+COUNTED = {"actuator": "actuator", "sensor": "sensor", "state": "state", "robot-loop": "loop"}
+"""The notes that a report counts, and what it calls them."""
+COMPUTED = {"rotor_inertia": ("armature",), "frequency": ("kp", "kd")}
+"""Values of an actuator that follow from others."""
+MILLISECONDS = 0.1
+"""Times below this many seconds are written in milliseconds."""
+
+
+def home_of(note: Element) -> Home:
+    """Return whether a note belongs to a link or a joint, and its name; ROBOT if to neither."""
+    values = values_of(note)
+    for kind in ("joint", "link"):
+        if kind in values:
+            return kind, values[kind]
+    return ROBOT
+
+
+class Notes:
+    """The notes of a robot.
+
+    Attributes:
+        absorbed: the identities of joints and links that words make.
+    """
+
+    def __init__(
+        self,
+        root: Element,
+        notes: Iterable[Element],
+        *,
+        elements: ElementWriter,
+        names: ShortNames,
+        degrees: Degrees,
+    ) -> None:
+        """Sort notes by what they belong to.
+
+        Args:
+            root: the robot, in the language's spelling.
+            notes: its notes, likewise.
+            elements: writes elements.
+            names: the names of parts.
+            degrees: writes angles.
+        """
+        self._elements = elements
+        self._names = names
+        self._degrees = degrees
+        self._types: dict[str, str] = {}
+        self._links: dict[str, Element] = {}
+        self._joints: dict[str, Element] = {}
+        self._sections: dict[int, tuple[str, int]] = {}
+        self._read(root)
+        self._notes: dict[tuple[str, Home], list[Element]] = {}
+        self._surfaces: dict[tuple[str, int], Element] = {}
+        self._blocks: dict[Home, dict[str, list[Element]]] = {}
+        self._of_sections: dict[int, dict[str, Body]] = {}
+        self.absorbed: set[int] = set()
+        self._poses: dict[str, Element] = {}
+        for note in notes:
+            values = values_of(note)
+            if note.name == "surface":
+                self._surfaces[values["link"], int(values["index"])] = note
+            elif note.name == "raw-block":
+                blocks = self._blocks.setdefault(home_of(note), {})
+                blocks.setdefault(values["format"], []).extend(note.elements())
+            else:
+                home = home_of(note) if note.name in ("actuator", "sensor") else ROBOT
+                self._notes.setdefault((note.name, home), []).append(note)
+        self._settle_frames()
+        for name, link in self._links.items():
+            self._settle_geoms(name, link)
+        for note in notes:
+            if note.name == "sensor":
+                self._absorb(values_of(note))
+
+    def _read(self, root: Element) -> None:
+        for child in root.elements():
+            if child.name == "joint":
+                self._types[name_of(child)] = values_of(child).get("type", "")
+                self._joints[child_of(child) or ""] = child
+            elif child.name == "link":
+                self._links[name_of(child)] = child
+                index = 0
+                for section in child.elements():
+                    if section.name == "collision":
+                        self._sections[id(section)] = name_of(child), index
+                        index += 1
+
+    def _settle_frames(self) -> None:
+        """Let a block of a link that is about a site be one of the frame that the site is."""
+        for home, blocks in list(self._blocks.items()):
+            for element in list(blocks.get(MJCF, ())):
+                frame = values_of(element).get("name", "")
+                joint = self._joints.get(frame)
+                if element.name == "site" and home[0] == "link" and joint is not None:
+                    own = self._blocks.setdefault(("link", frame), {}).setdefault(MJCF, [])
+                    own += settings_of(element)
+                    blocks[MJCF].remove(element)
+
+    def _settle_geoms(self, name: str, link: Element) -> None:
+        """Move what the block of a link says of geoms to the sections of their names."""
+        block = self._blocks.get(("link", name), {}).get(MJCF, [])
+        geoms = [element for element in block if element.name == "geom"]
+        sections: dict[str, list[Element]] = {"visual": [], "collision": []}
+        for child in link.elements():
+            if child.name in sections:
+                sections[child.name].append(child)
+        order: list[Element] = []
+        moved: list[tuple[Element, Element]] = []
+        for number, geom in enumerate(geoms):
+            values = values_of(geom)
+            own = [
+                section
+                for kind in ("visual", "collision")
+                for section in sections[kind]
+                if values_of(section).get("name") == values.get("name", "")
+            ]
+            if not own:
+                names = {name_of(each) for each in link.elements()}
+                later = [values_of(each).get("name", "") for each in geoms[number:]]
+                if any(each and each in names for each in later):
+                    return
+                break
+            if len(values) < 2 or geom.children:
+                return
+            moved.append((geom, own[-1]))
+            order += own
+        rest = [child for child in link.elements() if child.name in sections]
+        done: list[Element] = []
+        for section in order:
+            before = sections[section.name]
+            if section in done:
+                return
+            for each in before[: before.index(section) + 1]:
+                if each not in done:
+                    done.append(each)
+        done += [each for each in rest if each not in done]
+        for kind, row in sections.items():
+            if [each for each in done if each.name == kind] != row:
+                return
+        places = iter(done)
+        link.children = [
+            next(places) if isinstance(child, Element) and child.name in sections else child
+            for child in link.children
+        ]
+        for geom, section in moved:
+            block.remove(geom)
+            body = self._of_sections.setdefault(id(section), {}).setdefault(MJCF, _braced())
+            for name, value in values_of(geom).items():
+                if name != "name":
+                    body.add(name, value)
+
+    def _absorb(self, sensor: dict[str, str]) -> None:
+        """Let a sensor make the frame of its name, where it would make the one that is there."""
+        name, link = sensor["name"], sensor.get("link")
+        if link is None or sensor.get("frame") != name:
+            return
+        frames = [(name, link)]
+        if sensor["type"] in CAMERAS:
+            frames.append((f"{name}{OPTICAL}", name))
+        for frame, parent in frames:
+            own, joint = self._links.get(frame), self._joints.get(frame)
+            if own is None or joint is None or ("link", frame) in self._blocks:
+                return
+            if not is_frame(own, joint, parent):
+                return
+        self._poses[name] = self._joints[name]
+        for frame, _ in frames:
+            self.absorbed |= {id(self._links[frame]), id(self._joints[frame])}
+
+    # --- in joints, links, sections and frames ------------------------------------------------
+
+    def in_joint(self, joint: Element) -> list[Entry]:
+        """Return the entries of a joint that are words."""
+        name = name_of(joint)
+        kind = self._types.get(name, "")
+        home = ("joint", name)
+        found = [self._actuator(note, kind) for note in self._notes.get(("actuator", home), ())]
+        found += [self._sensor(note, None) for note in self._notes.get(("sensor", home), ())]
+        return found + self._written_blocks(home)
+
+    def in_link(
+        self, link: Element, pose_of: Callable[[Element], list[Entry] | None]
+    ) -> list[Entry]:
+        """Return the entries of a link that are words; `pose_of` writes the pose of a joint."""
+        home = ("link", name_of(link))
+        found = [self._sensor(note, pose_of) for note in self._notes.get(("sensor", home), ())]
+        return found + self._written_blocks(home)
+
+    def in_section(self, section: Element) -> list[Entry]:
+        """Return the entries of a visual or collision that are words."""
+        found: list[Entry] = []
+        surface = self._surfaces.get(self._sections.get(id(section), ("", 0)))
+        if surface is not None:
+            values = values_of(surface)
+            body = _braced(Entry(each, values[each]) for each in SURFACE.fields if each in values)
+            found.append(Entry("surface", body))
+        for format, body in self._of_sections.get(id(section), {}).items():
+            found.append(Entry(format, body))
+        return found
+
+    def in_frame(self, link: Element) -> list[Entry] | None:
+        """Return the entries of a frame that are words; None if it has others than a frame has."""
+        home = ("link", name_of(link))
+        if ("sensor", home) in self._notes:
+            return None
+        blocks = self._blocks.get(home, {})
+        if any(not is_setting(each) for block in blocks.values() for each in block):
+            return None
+        return self._written_blocks(home)
+
+    def _written_blocks(self, home: Home) -> list[Entry]:
+        found: list[Entry] = []
+        for format, elements in self._blocks.get(home, {}).items():
+            if not elements:
+                continue
+            body = Body()
+            for each in elements:
+                body.append(self._elements.entry(each))
+            body.in_braces = is_short(body) or all(map(is_setting, elements))
+            found.append(Entry(format, body))
+        return found
+
+    def _actuator(self, note: Element, kind: str) -> Entry:
+        values = values_of(note)
+        left_out = {each for name, own in COMPUTED.items() if name in values for each in own}
+        if "motor" in values:
+            left_out |= {*OF_MOTOR}
+        commands = values.pop("commands", values.pop("command", "position"))
+        body = _braced()
+        if commands != "position":
+            several = commands.split()
+            body.add("command", f"[{', '.join(several)}]" if len(several) > 1 else commands)
+            if len(several) > 1:
+                body.entries[-1].value = ", ".join(several)
+        for name in ACTUATOR.fields:
+            value = values.get(name)
+            if value is None or name == "command" or name in left_out:
+                continue
+            if name == "no_load_speed" and kind in TURNING:
+                value = self._degrees.number(value, "deg/s")
+            body.add(name, milliseconds(value) if name == "delay" else value)
+        return Entry("actuator", body or None)
+
+    def _sensor(
+        self, note: Element, pose_of: Callable[[Element], list[Entry] | None] | None
+    ) -> Entry:
+        values = values_of(note)
+        name, type = values["name"], values["type"]
+        body = _braced([Entry("type", type)])
+        frame = values.get("frame")
+        if name in self._poses and pose_of is not None:
+            body.entries += pose_of(self._poses[name]) or []
+        elif (frame is not None and frame != values.get("link")) or (
+            frame is not None and self._links[frame].elements()
+        ):
+            body.add("frame", frame)
+        for field in (*SENSOR.fields.values(), *SENSORS[type].fields.values()):
+            value = values.get(field.name)
+            if value is None or field.name == "type":
+                continue
+            if field.kind == "angle":
+                value = self._degrees.row(value)
+            elif field.name == "rate":
+                value = f"{value} Hz"
+            body.add(field.name, value)
+        return Entry(self._elements.key("sensor", {"name": name}), body)
+
+    # --- sections and statements --------------------------------------------------------------
+
+    def sections_above(self) -> list[Entry]:
+        """Return the sections before the model."""
+        bases = self._notes.get(("base", ROBOT), ())
+        return [Entry("base", values_of(note)["type"]) for note in bases[-1:]]
+
+    def sections_below(self) -> list[Entry]:
+        """Return the sections after the model."""
+        found = []
+        states = Body([self._state(note) for note in self._notes.get(("state", ROBOT), ())])
+        if states:
+            found.append(Entry("states", states))
+        groups = Body([_group(note) for note in self._notes.get(("robot-group", ROBOT), ())])
+        if groups:
+            found.append(Entry("groups", groups))
+        for note in self._notes.get(("collisions", ROBOT), ())[-1:]:
+            body = Body([Entry(name, value) for name, value in values_of(note).items()])
+            if note.elements():
+                pairs = [values_of(each) for each in note.elements()]
+                keep = Body(
+                    [Entry("keep", f"{pair['link_1']}, {pair['link_2']}") for pair in pairs]
+                )
+                body.entries += keep.entries
+            found.append(Entry("collisions", body))
+        return found
+
+    def _state(self, note: Element) -> Entry:
+        body = _braced()
+        for each in note.elements():
+            values = values_of(each)
+            joint, value = values["joint"], values["value"]
+            if self._types.get(joint) in TURNING:
+                value = self._degrees.number(value)
+            body.add(self._names.of_joints.get(joint, joint), value)
+        return Entry(name_of(note), body)
+
+    def statements(self) -> list[Entry]:
+        """Return what is said in the model, after the parts."""
+        found = []
+        for note in self._notes.get(("robot-loop", ROBOT), ()):
+            values = values_of(note)
+            between = f"{values['frame_1']}, {values['frame_2']}"
+            body = _braced([Entry("name", values["name"]), Entry("type", values["type"])])
+            body.add("between", between)
+            if "axis" in values:
+                body.add("axis", values["axis"])
+            found.append(Entry("loop", body))
+        return found + self._written_blocks(ROBOT)
+
+    def counts(self) -> dict[str, int]:
+        """Return how many there are of the kinds of notes that are counted."""
+        found: dict[str, int] = {}
+        for (kind, _), notes in self._notes.items():
+            if kind in COUNTED:
+                name = COUNTED[kind]
+                found[name] = found.get(name, 0) + len(notes)
+        return found
+
+
+def _group(note: Element) -> Entry:
+    values = values_of(note)
+    body = _braced()
+    rows: dict[str, list[str]] = {}
+    for each in note.elements():
+        own = values_of(each)
+        if each.name == "chain":
+            body.add("chain", f"{own['base_link']}, {own['tip_link']}")
+        else:
+            word = {"link": "links", "joint": "joints", "robot-group": "groups"}[each.name]
+            rows.setdefault(word, []).append(own.get(each.name, own.get("name", "")))
+    for word, members in rows.items():
+        body.add(word, ", ".join(members))
+    if "parent_link" in values:
+        body.add("parent", values["parent_link"])
+    if "end_effector" in values:
+        body.add("end_effector", values["end_effector"])
+    return Entry(name_of(note), body)
+
+
+def _braced(entries: Iterable[Entry] = ()) -> Body:
+    return Body(entries, in_braces=True, width=RECORD_WIDTH)
+
+
+def is_setting(element: Element) -> bool:
+    """Return whether an element of a block only sets a value: `<armature>0.1</armature>`."""
+    return has_text(element) and not element.elements() and not element.attributes
+
+
+def settings_of(element: Element) -> list[Element]:
+    """Return the attributes of an element, except for its name, as elements that set them."""
+    from ...xml.tree import Text
+
+    return [
+        Element(name, element.span, {}, [Text(value, element.value_span(name))])
+        for name, value in values_of(element).items()
+        if name != "name"
+    ]
+
+
+def milliseconds(text: str) -> str:
+    """Return a short time in seconds as one in milliseconds, if its digits stay the same."""
+    try:
+        seconds = float(text)
+    except ValueError:
+        return text
+    whole = round(seconds * 1000, 6)
+    if 0 < seconds < MILLISECONDS and whole / 1000 == seconds:
+        return f"{whole:g} ms"
+    return text

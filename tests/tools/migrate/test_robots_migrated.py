@@ -1,0 +1,335 @@
+"""MJCF as YAML: words, blocks, functions for what repeats; the same robot again."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from pathlib import Path
+
+import pytest
+
+import yamaro
+from tests.tools.migrate.migrating import assert_in_style
+from yamaro.commands.main import main
+from yamaro.files.loader import FileLoader
+from yamaro.policy import Policy
+from yamaro.request import read_main
+from yamaro.runtime.files import Library, rules_of
+from yamaro.source import Source, Span
+from yamaro.tools.migrate.comparing import compare_notes
+from yamaro.tools.migrate.robots import Builder, RobotMigration, migrate_lowered, migrate_robot
+from yamaro.xml.reader import XmlDocument
+from yamaro.xml.tree import Element, RobotNote, Text
+
+DOG = """<!-- A small dog. -->
+<mujoco model="dog">
+  <compiler angle="degree" autolimits="true"/>
+  <option timestep="0.004"/>
+  <default>
+    <default class="dog">
+      <geom friction="0.6" condim="3" group="3"/>
+      <default class="swing">
+        <joint axis="0 1 0" damping="0.6" armature="0.01" range="-45 100"/>
+      </default>
+      <default class="foot">
+        <geom type="sphere" size="0.02" priority="1" condim="6"/>
+      </default>
+    </default>
+  </default>
+  <worldbody>
+    <body name="trunk" pos="0 0 0.4" childclass="dog">
+      <freejoint/>
+      <geom name="hull" type="box" size="0.2 0.1 0.05" density="500"/>
+      <site name="imu" pos="0 0 0.05" size="0.01"/>
+      <!-- The legs differ in their signs. -->
+      <body name="FL_thigh" pos="0.2 0.1 0">
+        <joint name="FL_thigh_joint" class="swing"/>
+        <geom name="FL_bone" type="capsule" size="0.02 0.1" pos="0 0.01 -0.1"/>
+        <body name="FL_shin" pos="0 0.02 -0.2">
+          <joint name="FL_shin_joint" class="swing" range="-120 -30"/>
+          <geom name="FL_foot" class="foot" pos="0 0 -0.2"/>
+        </body>
+      </body>
+      <body name="FR_thigh" pos="0.2 -0.1 0">
+        <joint name="FR_thigh_joint" class="swing"/>
+        <geom name="FR_bone" type="capsule" size="0.02 0.1" pos="0 -0.01 -0.1"/>
+        <body name="FR_shin" pos="0 -0.02 -0.2">
+          <joint name="FR_shin_joint" class="swing" range="-120 -30"/>
+          <geom name="FR_foot" class="foot" pos="0 0 -0.2"/>
+        </body>
+      </body>
+      <body name="RL_thigh" pos="-0.2 0.1 0">
+        <joint name="RL_thigh_joint" class="swing"/>
+        <geom name="RL_bone" type="capsule" size="0.02 0.1" pos="0 0.01 -0.1"/>
+        <body name="RL_shin" pos="0 0.02 -0.2">
+          <joint name="RL_shin_joint" class="swing" range="-120 -30"/>
+          <geom name="RL_foot" class="foot" pos="0 0 -0.2"/>
+        </body>
+      </body>
+      <body name="neck" pos="0.2 0 0.05">
+        <joint name="neck_joint" class="swing" range="-10 10"/>
+        <geom name="head" type="sphere" size="0.05" pos="0.1 0 0"/>
+      </body>
+      <body name="tail" pos="-0.2 0 0.05">
+        <joint name="tail_joint" class="swing"/>
+        <geom name="tip" type="box" size="0.05 0.01 0.01" pos="-0.1 0 0"/>
+      </body>
+    </body>
+  </worldbody>
+  <sensor>
+    <gyro name="turning" site="imu"/>
+  </sensor>
+  <keyframe>
+    <key name="home" qpos="0 0 0.4 1 0 0 0 0 -1 0 -1 0 -1 0.1 0"/>
+  </keyframe>
+</mujoco>
+"""
+
+
+def migration_of(path: Path, folder: Path | None = None) -> RobotMigration:
+    policy = Policy()
+    source = read_main(str(path), None, Library(FileLoader(policy.limits, None), rules_of(policy)))
+    builder = Builder("mjcf", str(folder or path.parent))
+    return migrate_robot(source, builder, policy=policy, building=policy)
+
+
+@pytest.fixture
+def dog(tmp_path: Path) -> Path:
+    path = tmp_path / "dog.xml"
+    path.write_text(DOG)
+    return path
+
+
+# --- what is written ------------------------------------------------------------------------------
+
+
+def test_limbs_become_a_function_and_classes_another(dog: Path) -> None:
+    text = migration_of(dog).text
+    assert "  SwingJoint(lower, upper):\n    type: revolute\n" in text
+    assert "  Leg(leg, front, left):\n" in text
+    calls = re.findall(r"- Leg: \{(.*)\}", text)
+    assert calls == ["leg: FL, front: 1, left: 1", "leg: FR, front: 1, left: -1",
+                     "leg: RL, front: -1, left: 1"]  # fmt: skip
+    assert "xyz: $(0.2 * front) $(0.1 * left) 0\n" in text
+    assert "        SwingJoint: -45deg, 100deg\n" in text
+    assert "      name: $(leg)_thigh\n" in text
+    assert_in_style("dog.yaml", text)
+
+
+def test_masses_angles_and_settings_read_well(dog: Path) -> None:
+    text = migration_of(dog).text
+    assert text.startswith("# A small dog.\nrobot: dog\nnaming: {link: '*'}\nbase: free\n")
+    assert "frame/name=imu: {xyz: 0 0 0.05, mjcf: {size: 0.01}}\n" in text
+    assert "density: 1000\n" in text
+    assert "# The legs differ in their signs.\n- Leg: {leg: FL" in text
+    assert "priority: 1" in text
+    assert "<" not in text.replace("<<", "")
+
+
+def test_what_the_words_make_is_what_was_read(dog: Path) -> None:
+    migration = migration_of(dog)
+    assert migration.differences == []
+    made = yamaro.build(str(dog.with_suffix(".yaml")), text=migration.text, target="mjcf").xml()
+    own = yamaro.build(str(dog), target="mjcf").xml()
+    mujoco = pytest.importorskip("mujoco")
+    one, other = (mujoco.MjModel.from_xml_string(xml) for xml in (own, made))
+    assert (one.nq, one.nv, one.nu, one.nsensor) == (other.nq, other.nv, other.nu, other.nsensor)
+    fields = "body_mass body_inertia body_pos jnt_range dof_damping dof_armature geom_friction"
+    for field in (*fields.split(), "geom_condim", "geom_priority", "key_qpos"):
+        assert getattr(one, field) == pytest.approx(getattr(other, field), abs=1e-12), field
+
+
+def test_limbs_that_differ_in_much_are_written_out(tmp_path: Path) -> None:
+    path = tmp_path / "odd.xml"
+    path.write_text(
+        '<mujoco><worldbody><body name="a"><geom size="0.1"/>'
+        '<body name="left" pos="1 2 3"><joint name="j"/><geom size="0.2"/></body>'
+        '<body name="right"><joint name="k" axis="1 0 0"/><geom type="box" size="1 2 3"/></body>'
+        "</body></worldbody></mujoco>"
+    )
+    migration = migration_of(path)
+    assert migration.differences == []
+    assert "functions" not in migration.text
+
+
+def test_names_that_are_no_words_are_attributes(tmp_path: Path) -> None:
+    path = tmp_path / "odd.xml"
+    path.write_text(
+        '<mujoco><worldbody><body name="the base"><geom size="0.1"/>'
+        '<body name="an arm"><joint name="a, b"/><geom size="0.2"/></body>'
+        "</body></worldbody></mujoco>"
+    )
+    migration = migration_of(path)
+    assert migration.differences == []
+    assert "link/name=an arm" in migration.text
+
+
+def test_files_are_found_from_where_the_yaml_is(dog: Path, tmp_path: Path) -> None:
+    (tmp_path / "assets").mkdir()
+    cube = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"
+    (tmp_path / "assets" / "cube.obj").write_text(cube)
+    dog.write_text(
+        '<mujoco><compiler meshdir="assets"/><asset><mesh name="m" file="cube.obj"/></asset>'
+        '<worldbody><body name="a"><geom type="mesh" mesh="m"/></body></worldbody></mujoco>'
+    )
+    other = tmp_path / "elsewhere" / "deep"
+    other.mkdir(parents=True)
+    assert "assets/cube.obj" in migration_of(dog).text
+    moved = migration_of(dog, other)
+    assert moved.differences == []
+    assert "../../assets/cube.obj" in moved.text
+
+
+# --- the command ----------------------------------------------------------------------------------
+
+
+def test_the_command_writes_and_counts(dog: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    made = dog.with_suffix(".yaml")
+    assert main(["migrate", str(dog), "-o", str(made)]) == 0
+    assert capsys.readouterr().err == f"{dog}: identical: 10 links, 9 joints\n"
+    assert main(["migrate", str(dog), "-o", f"{dog.parent}/out/", "--safe"]) == 0
+    assert (dog.parent / "out" / "dog.yaml").read_text() == made.read_text()
+
+
+def test_an_argument_is_wrong_usage(dog: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["migrate", str(dog), "n:=1"]) == 2
+    assert "an MJCF has no argument to set: 'n:=1'" in capsys.readouterr().err
+
+
+def test_safe_mode_reads_nothing_outside(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    inner = tmp_path / "inner"
+    inner.mkdir()
+    (tmp_path / "secret.xml").write_text("<mujoco><worldbody/></mujoco>")
+    path = inner / "a.xml"
+    path.write_text('<mujoco><include file="../secret.xml"/></mujoco>')
+    assert main(["migrate", str(path), "--safe"]) == 1
+    assert "secret" not in capsys.readouterr().out
+
+
+def test_errors_of_the_file_are_shown(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "a.xml"
+    path.write_text('<mujoco><worldbody><body><geom size="none"/></body></worldbody></mujoco>')
+    assert main(["migrate", str(path)]) == 1
+    assert f"{path}:1:" in capsys.readouterr().err
+
+
+# --- words of the language ------------------------------------------------------------------------
+
+WORDS = """
+robot: cell
+base: free
+model:
+- part:
+    name: base
+    link:
+      geometry: box
+      size: 0.4 0.3 0.1
+      mass: 3
+      visual:
+      collision: {surface: {friction: 0.8, stiffness: 1000}}
+      collision/name=pad: {xyz: 0 0 1, mjcf: {condim: 6}}
+      sensor/name=eye: {type: camera, xyz: 0.1 0 0, rate: 30 Hz, fov: 90deg}
+      sensor/name=inner: {type: imu, frame: tip, noise: 0.1}
+      frame/name=tip: {xyz: 0 0 0.2, rpy: 0 90deg 0}
+      frame/name=pin: {xyz: 0.3 0 0}
+- part:
+    name: arm
+    joint:
+      type: revolute
+      parent: base
+      axis: y
+      limit: {lower: -90deg, upper: 90deg, effort: 10, velocity: 180deg/s}
+      actuator: {kp: 50, kd: 2, delay: 5 ms, motor: {rotor_inertia: 3e-6, gear: 100}}
+      sensor/name=wrist: {type: force_torque}
+      mjcf: {solreflimit: 0.02 1}
+    link:
+      geometry: sphere
+      radius: 0.1
+      mass: 1
+      collision:
+      frame/name=end: {xyz: 0.3 0 0}
+- loop: {name: bar, type: revolute, between: [end, pin], axis: y}
+- mjcf:
+    option/cone=elliptic:
+states: {home: {arm: 45deg}, up: {arm: 0}}
+groups: {arm: {chain: [base_link, end]}, hand: {links: [arm_link], parent: end, end_effector: true}}
+collisions: {samples: 100, keep: [[base_link, arm_link]]}
+"""
+
+
+def test_all_words_come_out_as_words(tmp_path: Path) -> None:
+    policy = Policy()
+    builder = Builder("mjcf", str(tmp_path))
+    robot = builder.build("cell", WORDS, policy)
+    nothing = XmlDocument(robot.root, [], [])
+    migration = migrate_lowered(
+        robot, nothing, builder, home=str(tmp_path), stem="made", policy=policy
+    )
+    assert migration.differences == []
+    assert migration.counts == {"actuator": 1, "sensor": 3, "state": 2, "loop": 1}
+    for line in (
+        "sensor/name=eye: {type: camera, xyz: 0.1 0 0, rate: 30 Hz, fov: 90deg}",
+        "sensor/name=inner: {type: imu, frame: tip, noise: 0.1}",
+        "actuator: {kp: 50, kd: 2, rotor_inertia: 3e-6, gear: 100, delay: 5 ms}",
+        "limit: {lower: -90deg, upper: 90deg, effort: 10, velocity: 180deg/s}",
+        "- loop: {name: bar, type: revolute, between: 'end, pin', axis: 0 1 0}",
+        "home: {arm: 45deg}",
+        "frame/name=tip: {xyz: 0 0 0.2, rpy: 0 90deg 0}",
+    ):
+        assert line in migration.text, line
+
+
+# --- the comparison -------------------------------------------------------------------------------
+
+SPAN = Span(Source("", name="a.yaml", path=""), 0, 0)
+
+
+def note(kind: str, *children: Element, **values: str) -> RobotNote:
+    return RobotNote(kind, SPAN, dict(values), [*children])
+
+
+def setting(name: str, value: str) -> Element:
+    return Element(name, SPAN, {}, [Text(value, SPAN)])
+
+
+def told(first: Sequence[Element], second: Sequence[Element]) -> list[str]:
+    root = Element("robot", SPAN, {"name": "a"}, [Element("link", SPAN, {"name": "tip"})])
+    return [str(each) for each in compare_notes((root, first), (root, second))]
+
+
+def test_notes_are_compared_by_what_they_are_about() -> None:
+    drive = note("actuator", joint="j", command="position", kp="1")
+    assert told([drive], [note("actuator", joint="j", command="position", kp="2")]) == [
+        "actuator of joint 'j': 'kp' is '2', not '1'"
+    ]
+    assert told([drive], []) == ["actuator of joint 'j': is missing"]
+    assert told([], [drive]) == ["actuator of joint 'j': should not be there"]
+    other = note("actuator", joint="k", command="position")
+    assert told([drive, other], [other, drive]) == []
+
+
+def test_the_order_of_sensors_and_states_is_compared() -> None:
+    one, other = note("sensor", name="a", type="imu"), note("sensor", name="b", type="imu")
+    assert told([one, other], [other, one]) == ["sensors: are in another order"]
+
+
+def test_blocks_of_one_thing_are_compared_as_one() -> None:
+    whole = note("raw-block", setting("a", "1"), setting("b", "2"), format="mjcf", link="l")
+    halves = [
+        note("raw-block", setting("b", "2"), format="mjcf", link="l"),
+        note("raw-block", setting("a", "1"), format="mjcf", link="l"),
+    ]
+    assert told([whole], halves) == []
+    assert "mjcf of link 'l', b: is missing" in told([whole], halves[1:])
+
+
+def test_a_block_about_a_site_is_one_of_its_frame() -> None:
+    site = Element("site", SPAN, {"name": "tip", "size": "0.1"})
+    about = note("raw-block", site, format="mjcf", link="l")
+    own = note("raw-block", setting("size", "0.1"), format="mjcf", link="tip")
+    assert told([about], [own]) == []
+    assert told([about], [note("raw-block", setting("size", "1"), format="mjcf", link="tip")]) == [
+        "mjcf of link 'tip', size: its text is '1', not '0.1'"
+    ]
