@@ -50,7 +50,10 @@ TESTED_ELSEWHERE = {
 }
 
 # Callables one of whose first two arguments is a code.
-RAISERS = {"Diagnostic", "Fault", "InputFault", "_bad_call", "_fault", "failure", "report"}
+RAISERS = {
+    *("Diagnostic", "Fault", "InputFault", "_bad_call", "_fault", "fail", "failure", "report"),
+    "warn",
+}
 
 
 def codes_of_cases() -> set[str]:

@@ -137,11 +137,7 @@ def test_a_robot_in_xacro_is_compiled(
 @pytest.mark.parametrize(
     ("name", "text"),
     [
-        (
-            "world.sdf",
-            '<sdf version="1.9"><world name="w"><gravity>0 0 -9.8</gravity></world></sdf>',
-        ),
-        ("scene.xml", '<mujoco model="m"><worldbody><body name="b"/></worldbody></mujoco>'),
+        ("world.xml", '<world name="w"><gravity>0 0 -9.8</gravity></world>'),
         ("UPPER.URDF", '<robot name="r"><link name="a"/></robot>'),
     ],
 )
@@ -221,8 +217,7 @@ def test_an_argument_that_a_xacro_file_does_not_know_is_warned_of(tmp_path: Path
 @pytest.mark.parametrize(
     ("text", "what"),
     [
-        ('<sdf version="1.9"><model name="m"/></sdf>', "this is SDF, not URDF: its root is 'sdf'"),
-        ("<mujoco/>", "this is MJCF, not URDF: its root is 'mujoco'"),
+        ('<model name="m"/>', "this is SDF, not URDF: its root is 'model'"),
         ('<Robot name="r"/>', "this is not URDF: its root is 'Robot'"),
     ],
 )

@@ -27,6 +27,8 @@ MOST_PLACES = 8
 IGNORE_MARKERS = frozenset(("AMENT_IGNORE", "CATKIN_IGNORE", "COLCON_IGNORE", "rospack_nosubdirs"))
 SKIPPED_FOLDERS = frozenset(("build", "devel", "install", "log", "node_modules", "__pycache__"))
 AMENT_INDEX = os.path.join("share", "ament_index", "resource_index", "packages")
+MODEL_MANIFEST = "model.config"
+"""The file that says that a folder is a model of Gazebo."""
 MODEL_PATHS = ("GZ_SIM_RESOURCE_PATH", "IGN_GAZEBO_RESOURCE_PATH", "GAZEBO_MODEL_PATH", "SDF_PATH")
 
 
@@ -260,12 +262,12 @@ class PackageFinder:
         if scheme not in ("package", "model"):
             return None
         name, _, inner = rest.partition("/")
-        folder = self._find_model(name) if scheme == "model" else None
+        folder = self._find_model(name, base_dir) if scheme == "model" else None
         folder = folder or self.find(name, base_dir, span)
         return _absolute(_unquoted(inner, folder), folder) if folder else None
 
-    def _find_model(self, name: str) -> str | None:
-        """Return the folder of a Gazebo model."""
+    def _find_model(self, name: str, base_dir: str) -> str | None:
+        """Return the folder of a Gazebo model: on a search path, or around or beside a file."""
         if not is_package_name(name):
             return None
         for variable in MODEL_PATHS:
@@ -273,6 +275,12 @@ class PackageFinder:
                 folder = os.path.join(path, name)
                 if os.path.isdir(folder):
                     return folder
+        for level, around in enumerate(_ancestors(base_dir)):
+            if os.path.basename(around) == name:
+                return around
+            folder = os.path.join(around, name)
+            if level and os.path.isfile(os.path.join(folder, MODEL_MANIFEST)):
+                return folder
         return None
 
     def _paths(self, variable: str) -> list[str]:

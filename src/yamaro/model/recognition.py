@@ -430,6 +430,10 @@ class GazeboSensors:
                 elif child.name == "plugin":
                     self._plugin(child, trace)
 
+    def add(self, sensor: Element, trace: Step | None, home: str) -> None:
+        """Note a sensor of SDFormat in a link or joint, if its type is known."""
+        self._sensor(sensor, trace, home)
+
     def add_imu(self, element: Element, trace: Step | None, link: str) -> None:
         """Note an imu in a link, unless there is one of its name."""
         name = attribute_text(element, "name") or ""

@@ -34,7 +34,13 @@ class SourceFormat:
         self.endings = endings
 
 
-SOURCES = {each.root: each for each in (SourceFormat("mjcf", "MJCF", "mujoco", (".xml", ".mjcf")),)}
+SOURCES = {
+    each.root: each
+    for each in (
+        SourceFormat("mjcf", "MJCF", "mujoco", (".xml", ".mjcf")),
+        SourceFormat("sdf", "SDF", "sdf", (".sdf", ".world")),
+    )
+}
 """The formats by the name of the outermost element."""
 
 

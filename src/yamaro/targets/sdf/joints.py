@@ -10,7 +10,8 @@ https://drake.mit.edu/doxygen_cxx/group__multibody__parsing.html.
 
 from __future__ import annotations
 
-from ...model.joint import FIXED, FLOATING, SINGLE
+from ...model.joint import FIXED, FLOATING, SINGLE, UNLIMITED
+from ...model.kinematics import WORLD
 from ..elements import element, given
 from ..gains import POSITION, VELOCITY, Gains
 from ..holding import leader_of, lost_lines, lost_of_actuator, lost_of_joints, lost_values
@@ -69,6 +70,7 @@ class JointWriter:
         self,
         joint: Joint,
         *,
+        type: str | None,
         parent: str,
         child: str,
         relative_to: str,
@@ -78,20 +80,23 @@ class JointWriter:
 
         Args:
             joint: the joint.
+            type: that in SDFormat, if the robot says one for it.
             parent: the name of the body that it is on.
             child: the name of the body that it moves.
             relative_to: the frame that the joint's origin is in.
             more: what else is in the joint.
         """
-        kind = joint.type
+        kind = type or joint.type
         if kind == FLOATING:
+            if joint.parent == WORLD:
+                return None
             self.losses.approximate("floating joints", joint, how="free links")
             return None
-        if kind not in (*SINGLE, FIXED):
+        if type is None and kind not in (*SINGLE, FIXED):
             self.losses.approximate(f"{kind} joints", joint, how="fixed joints")
             kind = FIXED
         content = pose_of(joint.origin, relative_to) + given(("parent", parent), ("child", child))
-        if kind != FIXED:
+        if kind in SINGLE:
             content += [self._axis(joint), *self._drive(joint), *self._follow(joint)]
         attributes: Attributes = {"name": self._names[joint.name], "type": kind}
         return element("joint", attributes, children=[*content, *more], owner=joint)
@@ -105,11 +110,12 @@ class JointWriter:
                 lower, upper = upper, lower
                 what, how = "limits in the wrong order", "swapping them"
                 self.losses.approximate(what, joint, how=how)
+            bounds = {
+                "lower": lower, "upper": upper, "effort": self._effort_of(joint),
+                "velocity": limit.velocity,
+            }  # fmt: skip
             limits = given(
-                ("lower", lower),
-                ("upper", upper),
-                ("effort", self._effort_of(joint)),
-                ("velocity", limit.velocity),
+                *(pair for pair in bounds.items() if pair[1] is None or abs(pair[1]) < UNLIMITED)
             )
         axis = [element("xyz", text=row_of(joint.axis)), element("limit", children=limits)]
         if dynamics is not None:

@@ -13,6 +13,7 @@ from ..holding import cones, lost_sections, renamed_sensors
 from ..inertia import Inertias
 from ..output import Output
 from ..table import TARGETS
+from .blocks import merged, type_in
 from .gazebo import GazeboBlocks, physics_of
 from .joints import JointWriter
 from .links import Names, inertial_of, pose_of, row_of
@@ -58,7 +59,8 @@ class _Model:
         self._raw = RawXmlOf(robot, "sdf")
         self._copier = SensorCopier(self._version, self._losses)
         self._copied = self._blocks.copied_sensors()
-        self._losses += renamed_sensors(robot, but=self._copied)
+        self._sensor_names = self._names_of_sensors()
+        self._losses += renamed_sensors(robot, but=self._copied | self._sensor_names.keys())
         self._losses += cones(robot, but=self._copied)
         self._shapes = Shapes(robot, wanted, self._names, self._blocks, self._losses)
         self._joint_writer = JointWriter(
@@ -91,7 +93,6 @@ class _Model:
                 parts.append(element("joint", fixed, children=ends, owner=link))
         parts += [self._loop(loop) for loop in robot.loops.values()]
         parts += self._blocks.model
-        parts += self._raw.robot
         if not self._members and not any(each.name == "static" for each in parts):
             # SDFormat has a model without links only if it is static.
             parts.insert(0, element("static", text="true"))
@@ -102,6 +103,7 @@ class _Model:
         canonical = next((self._names.links[name] for name in self._members), None)
         name = robot.name or self._wanted.name
         model = element("model", {"name": name, "canonical_link": canonical}, children=parts)
+        model = merged(model, self._raw.robot)
         attributes: Attributes = {"version": self._version}
         if self._copier.has_custom:
             attributes["xmlns:gz"] = NAMESPACE
@@ -121,12 +123,21 @@ class _Model:
         }
         return Output(root, self._losses, names=names)
 
+    def _names_of_sensors(self) -> dict[str, str]:
+        """Return the names of sensors as they are written, where these are unique in a body."""
+        homes: dict[tuple[str | None, str], list[Sensor]] = {}
+        for sensor in self._robot.sensors.values():
+            body = self._bodies.carriers.get(sensor.link or "", sensor.link) or sensor.joint
+            homes.setdefault((body, sensor.written_name), []).append(sensor)
+        return {each[0].name: each[0].written_name for each in homes.values() if len(each) == 1}
+
     # --- links and frames ---
 
     def _link(self, link: Link) -> list[Element]:
         """Return a body, and the frames in it: Drake wants a frame after the one it is in."""
         name, members = link.name, self._members[link.name]
         parts = [inertial_of(link, self._inertias.by_link.get(name), self._losses)]
+        block: list[Element] = []
         for member in members:
             parts += self._shapes.of(member, name)
         for member in members:
@@ -150,11 +161,14 @@ class _Model:
                             self._losses.lose(what, sensor, hint=hint)
                     home = sensor.frame if sensor.frame in self._robot.links else sensor.link
                     parts.append(self._sensor(sensor, name, home, collisions))
-            parts += self._raw.in_link(member.name)
+            block += self._raw.in_link(member.name)
         parts += self._blocks.links.get(name, ())
         attributes: Attributes = {"name": self._names.links[name]}
         body = element("link", attributes, children=[*self._pose(link), *parts], owner=link)
-        return [body, *(self._frame(each, name) for each in members if each is not link)]
+        return [
+            merged(body, block),
+            *(self._frame(each, name) for each in members if each is not link),
+        ]
 
     def _pose(self, link: Link) -> list[Element]:
         """Return the pose of a body: in its joint, or in the link attached to it."""
@@ -193,7 +207,10 @@ class _Model:
         frame = None if home in (None, body) else self._names.links.get(str(home))
         if sensor.type == "contact" and sensor.noise:
             self._losses.lose("noise of contact sensors", sensor, field="noise")
-        return sensor_of(sensor, frame=frame, collisions=collisions, version=self._version)
+        name = self._sensor_names.get(sensor.name, "")
+        return sensor_of(
+            sensor, frame=frame, collisions=collisions, version=self._version, name=name
+        )
 
     # --- joints ---
 
@@ -211,15 +228,16 @@ class _Model:
             if each.joint == joint.name and each.name not in self._copied
         ]
         more += physics_of(self._blocks.joints.get(joint.name, []))
-        more += self._raw.in_joint(joint.name)
+        block = self._raw.in_joint(joint.name)
         made = self._joint_writer.made(
             joint,
+            type=type_in(block),
             parent=self._body_of(joint.parent),
             child=self._body_of(joint.child),
             relative_to=self._reference(joint.parent),
             more=more,
         )
-        return [] if made is None else [made]
+        return [] if made is None else [merged(made, [e for e in block if e.name != "type"])]
 
     def _body_of(self, link: str) -> str:
         """Return the name of the body that a link is part of."""

@@ -1,0 +1,111 @@
+"""From the links and joints of a model to the tree that URDF has: its roots, and what closes loops.
+
+A joint leads from a parent to a child, and a link that is the child of several has one joint in the
+tree. A joint whose child is reached already is turned around where its parent is not, and else
+closes a loop.
+"""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from .scopes import Anchor
+
+
+class Edge:
+    """A joint between two links.
+
+    Attributes:
+        joint: the joint.
+        name: what it is called in the robot.
+        parent, child: the links; None is the world.
+        is_reversed: whether the tree leads from the child to the parent.
+    """
+
+    __slots__ = ("child", "is_reversed", "joint", "name", "parent")
+
+    def __init__(self, joint: Anchor, name: str, parent: Anchor | None, child: Anchor) -> None:
+        self.joint = joint
+        self.name = name
+        self.parent = parent
+        self.child = child
+        self.is_reversed = False
+
+    @property
+    def top(self) -> Anchor | None:
+        """Return the link that the tree comes from; None is the world."""
+        return self.child if self.is_reversed else self.parent
+
+    @property
+    def bottom(self) -> Anchor:
+        """Return the link that the tree leads to."""
+        if self.is_reversed:
+            assert self.parent is not None, "the world is a root"
+            return self.parent
+        return self.child
+
+
+class Tree:
+    """The links of a model as trees.
+
+    Attributes:
+        edges: the joints of the trees, by the link that they lead to.
+        loops: the joints that close loops.
+        roots: the links that no joint leads to, each of a tree of its own.
+    """
+
+    __slots__ = ("edges", "loops", "roots")
+
+    def __init__(self, links: list[Anchor], edges: list[Edge], first: Anchor | None) -> None:
+        """Build the trees.
+
+        Args:
+            links: in the order of the document.
+            edges: the joints, likewise.
+            first: the link that is a root if it can be.
+        """
+        self.edges: dict[Anchor, Edge] = {}
+        self.roots: list[Anchor] = []
+        below: dict[Anchor | None, list[Edge]] = {}
+        above: dict[Anchor, list[Edge]] = {}
+        for edge in edges:
+            below.setdefault(edge.parent, []).append(edge)
+            above.setdefault(edge.child, []).append(edge)
+        seen: set[Anchor | None] = set()
+        used: set[Edge] = set()
+
+        def grow(start: Anchor | None) -> None:
+            """Take all that joints lead to from a root: forwards first, backwards where not."""
+            seen.add(start)
+            ahead, behind = [start], [start]
+            while ahead:
+                for link in ahead:
+                    for edge in below.get(link, ()):
+                        if edge.child not in seen:
+                            self._take(edge, used)
+                            seen.add(edge.child)
+                            ahead.append(edge.child)
+                            behind.append(edge.child)
+                ahead = []
+                while behind and not ahead:
+                    link = behind.pop(0)
+                    for edge in above.get(link, ()) if link is not None else ():
+                        if edge not in used and edge.parent not in seen:
+                            edge.is_reversed = True
+                            self._take(edge, used)
+                            seen.add(edge.parent)
+                            ahead.append(edge.parent)
+                            behind.append(edge.parent)
+
+        if None in below:
+            grow(None)
+        free = [each for each in links if each not in above]
+        for link in (*([first] if first in free else []), *free, *links):
+            if link is not None and link not in seen:
+                self.roots.append(link)
+                grow(link)
+        self.loops = [edge for edge in edges if edge not in used]
+
+    def _take(self, edge: Edge, used: set[Edge]) -> None:
+        used.add(edge)
+        self.edges[edge.bottom] = edge
