@@ -111,6 +111,7 @@ SEVERITIES = {
     "unknown-joint": "warning",
     "unknown-joint-type": "error",
     "unknown-key": "warning",
+    "unknown-mass": "warning",
     "unknown-material": "warning",
     "unknown-mimic": "warning",
     "unknown-package": "error",

@@ -91,3 +91,20 @@ class Host:
         from ..meshes.triangles import read_mesh
 
         return read_mesh(path, self.finder.allows, snaps=False)
+
+    def data(self, path: str) -> bytes:
+        """Return the bytes of a mesh file that `find` found.
+
+        Raises:
+            MeshFileError: it cannot be read, or is too large.
+        """
+        from ..files.regular import read_start
+        from ..meshes.formats import LARGEST_FILE, MeshFileError
+
+        try:
+            data = read_start(path, LARGEST_FILE + 1)
+        except OSError as error:
+            raise MeshFileError(error.strerror or str(error)) from error
+        if len(data) > LARGEST_FILE:
+            raise MeshFileError(f"it is larger than {LARGEST_FILE >> 20} MB")
+        return data

@@ -17,7 +17,7 @@ from .losses import Losses
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Container
+    from collections.abc import Container, Iterable
 
     from ..model.joint import Joint
     from ..model.link import Inertial, Link
@@ -70,7 +70,13 @@ class Inertias:
     __slots__ = ("by_link", "errors", "losses")
 
     def __init__(
-        self, robot: Robot, *, is_fixed: bool, repairs: bool, passed: Container[str] = ()
+        self,
+        robot: Robot,
+        *,
+        is_fixed: bool,
+        repairs: bool,
+        passed: Container[str] = (),
+        weighed: Iterable[str] = (),
     ) -> None:
         """Work them out.
 
@@ -79,6 +85,7 @@ class Inertias:
             is_fixed: whether its root is fixed in the world.
             repairs: whether moments that no body can have are changed instead of refused.
             passed: the links that are not bodies, between two joints of one body.
+            weighed: the links whose mass the simulator takes from their shapes.
         """
         self.by_link: dict[str, Principal] = {}
         self.losses = Losses()
@@ -122,6 +129,7 @@ class Inertias:
             for name, each in self.by_link.items()
             if name in upper and each.mass > LEAST and min(each.moments) > LEAST
         }
+        heavy |= {upper[name] for name in weighed if name in upper}
         for name in dict.fromkeys(upper.values()):
             joint = robot.parent_joint(name)
             if name in passed and not _rests_below(robot, name):

@@ -14,6 +14,7 @@ from .assets import Assets
 from .blocks import block, kept, quaternion, row, setting
 from .compiler import chosen, fault, number, numbers
 from .inertia import Mass, mass_of, scaled
+from .meshes import UnknownMassError
 from .sections import add_sections, read_mimics
 from .shapes import OF_MESHES, Geom
 from .tree import OF_BODY, Thing
@@ -79,7 +80,9 @@ class Builder:
         self.rest: list[Node] = []
         self.geoms: dict[str, list[Geom]] = {}
         self._names: dict[str, set[str]] = {"body": {WORLD}, "joint": set()}
+        self._counts: dict[tuple[str, str], int] = {}
         self._colors: dict[Color, str] = {}
+        self._weighed_later: set[str] = set()  # links whose mass only MuJoCo knows
         self._name_all()
         self.has_world = self._needs_world()
         kinds, refs = self._joints()
@@ -152,10 +155,21 @@ class Builder:
         """Return the mass of each body that has one, by its name."""
         masses: dict[str, Mass] = {}
         for body in self.world.iter():
-            if body is not self.world:
+            if body is self.world:
+                continue
+            try:
                 found = mass_of(body, self.geoms[body.name])
-                if found is not None:
-                    masses[body.name] = found
+            except UnknownMassError as error:
+                self._weighed_later.add(body.name)
+                self.host.reporter.report(
+                    "unknown-mass",
+                    f"the mass of '{body.name}' is not known, since {error.reason}",
+                    error.span,
+                    hint="give the body an <inertial>; only --to mjcf has the mass now",
+                )
+                continue
+            if found is not None:
+                masses[body.name] = found
         total = number(self.context.compiler.given, "settotalmass", -1.0)
         return scaled(masses, total) if total > 0 else masses
 
@@ -175,9 +189,16 @@ class Builder:
             for joint in body.joints:
                 if joint.name:
                     self._names["joint"].add(joint.name)
+        counts: dict[str, int] = {}
+        named = {id(self.world): WORLD}  # the nearest body with a name of its own
         for body in self.world.iter():
+            if body.thing.name:
+                named[id(body)] = body.name
+            stem = named[id(body)]
+            named.update((id(child), stem) for child in body.bodies)
             if body is not self.world and not body.thing.name:
-                body.name = self.fresh("body", body.name)
+                counts[stem] = counts.get(stem, 0) + 1
+                body.name = self.fresh("body", f"{stem}_{counts[stem]}")
             number, found = 0, []
             for thing in body.geoms:
                 name = thing.name
@@ -190,9 +211,11 @@ class Builder:
     def fresh(self, kind: str, wanted: str) -> str:
         """Take a name of a kind that is free: the one that is wanted, or that with a number."""
         taken = self._names[kind]
-        name, count = wanted, 2
+        name, count = wanted, self._counts.get((kind, wanted), 2)
         while name in taken:
             name, count = f"{wanted}_{count}", count + 1
+        if name != wanted:
+            self._counts[kind, wanted] = count
         taken.add(name)
         return name
 
@@ -354,13 +377,16 @@ class Builder:
         thing = geom.thing
         found = self._shape_of(geom)
         if found is None:
-            changed = {"name": geom.name}
+            changed: dict[str, object] = {"name": geom.name}
+            left = {"fromto", "mass", "density", "shellinertia"}
             if geom.type in OF_MESHES or geom.type in ("plane", "hfield"):
                 pose = geom.pose
-                return self.assets.use(kept(thing, pose=pose, changed=changed, without=("fromto",)))
+                self._weigh(body, geom, changed, left)
+                return self.assets.use(kept(thing, pose=pose, changed=changed, without=left))
+            self._weigh(body, geom, changed, left)
             sizes = row(geom.sizes)
             whole = {**changed, "type": geom.type, "size": sizes, "mesh": None, "fitscale": None}
-            return kept(thing, pose=geom.pose, changed=whole, without=("fromto",))
+            return kept(thing, pose=geom.pose, changed=whole, without=left)
         shape, pose = found
         place = Place(thing.span, {"name": thing.name_span})
         at = self.origin(thing, pose)
@@ -375,7 +401,14 @@ class Builder:
             index = len(collisions)
             collisions.append(making.collision(place, shape=shape, pose=at, name=geom.name))
             self._add_surface(body, geom, index)
-        return self._details(geom, has_look=has_look, is_solid=is_solid)
+        return self._details(body, geom, has_look=has_look, is_solid=is_solid)
+
+    def _weigh(self, body: Body, geom: Geom, changed: dict[str, object], left: set[str]) -> None:
+        """Keep the mass of a geom where only MuJoCo knows that of the body."""
+        if body.name in self._weighed_later:
+            left -= {"mass", "density", "shellinertia"}
+            if not geom.thing.given.keys() & {"mass", "density"}:
+                changed["density"] = "1000"
 
     def _shape_of(self, geom: Geom) -> tuple[Shape, Pose] | None:
         """Return the shape of a geom as the model has it, and its pose in the body, or None."""
@@ -433,7 +466,7 @@ class Builder:
             values: dict[str, str | float] = {"link": body.name, "index": str(index)}
             self.rest.append(making.note("surface", place, {**values, "friction": row[0]}))
 
-    def _details(self, geom: Geom, *, has_look: bool, is_solid: bool) -> Element:
+    def _details(self, body: Body, geom: Geom, *, has_look: bool, is_solid: bool) -> Element:
         """Return what the model does not have of a geom that it has."""
         thing, given = geom.thing, geom.thing.given
         left = set(HELD_BY_GEOMS)
@@ -443,6 +476,7 @@ class Builder:
             if "material" in given and "rgba" not in given:
                 left.add("material")
         changed: dict[str, object] = {"name": geom.name}
+        self._weigh(body, geom, changed, left)
         friction = numbers(given, "friction", 1, 3)
         if friction is not None and is_solid:
             usual = [friction[0], SMOOTH, ROLLING]

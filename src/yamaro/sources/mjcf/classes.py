@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...diagnostics import YamaroError, did_you_mean, failure
-from .compiler import ORIENTATIONS, given_by
+from .compiler import completed, given_by
 from .document import text
 
 TYPE_CHECKING = False
@@ -74,18 +74,14 @@ class Classes:
                 section.value_span("class"),
                 hint="give each its own name",
             )
-        own = {kind: dict(given) for kind, given in above.items()}
+        own = dict(above)
         self._by_name[name] = own
         self._actuators[id(own)] = [*self._actuators[id(above)]]
         return own
 
     @staticmethod
     def _take(element: Element, given: dict[str, Given]) -> None:
-        kind, own = given.setdefault(element.name, {}), given_by(element)
-        if any(name in own for name in ORIENTATIONS):
-            for name in ORIENTATIONS:
-                kind.pop(name, None)
-        kind.update(own)
+        given[element.name] = completed(given_by(element), given.get(element.name, {}))
 
     def of(self, name: str | None, span: Span) -> dict[str, Given]:
         """Return the attributes of each kind of element in a class.

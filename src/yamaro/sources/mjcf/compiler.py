@@ -28,6 +28,13 @@ if TYPE_CHECKING:
 ORIENTATIONS = ("quat", "axisangle", "xyaxes", "zaxis", "euler")
 """The attributes that say how a frame is turned, of which one is given."""
 TURN_AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
+OPEN_ROWS = frozenset(
+    """friction solref solimp gear gainprm biasprm dynprm size solreflimit solimplimit
+    solreffriction solimpfriction polycoef damping stiffness fluidcoef user""".split()
+)
+"""The attributes with fewer numbers than they can have."""
+LARGEST, MAXVAL = 1e30, 1e10
+"""What no number of a model reaches, and MuJoCo's own bound of sizes: mjMAXVAL."""
 SMALLEST = 1e-14
 """What MuJoCo takes for 0 in a vector: mjMINVAL."""
 TRUTHS = {"true": True, "false": False}
@@ -69,8 +76,10 @@ def numbers(given: Given, name: str, least: int = 1, most: int | None = None) ->
             value[1],
             f"write {wanted} number{'s' if most > 1 else ''} with spaces in between",
         )
-    if not all(-1e300 < each < 1e300 for each in found):
-        raise fault(f"'{name}' is not finite", value[1], "write a finite number")
+    if not all(-LARGEST < each < LARGEST for each in found):
+        raise fault(
+            f"'{name}' is too large for a model", value[1], f"MuJoCo takes up to {MAXVAL:g}"
+        )
     return found
 
 
@@ -116,6 +125,23 @@ def chosen(given: Given, name: str, choices: tuple[str, ...], default: str) -> s
 def truth(given: Given, name: str, default: bool) -> bool:
     """Return what an attribute of true or false says."""
     return TRUTHS[chosen(given, name, ("true", "false"), "true" if default else "false")]
+
+
+def completed(own: Given, base: Given) -> Given:
+    """Return the attributes of an element or class, with those that a class around it has.
+
+    A row that is shorter than that of the class takes the rest from it, as in MuJoCo.
+    """
+    merged = {**base, **own}
+    for name in OPEN_ROWS & own.keys() & base.keys():
+        words, others = own[name][0].split(), base[name][0].split()
+        if len(words) < len(others):
+            merged[name] = (" ".join([*words, *others[len(words) :]]), own[name][1])
+    if any(each in own for each in ORIENTATIONS):
+        for each in ORIENTATIONS:
+            if each not in own:
+                merged.pop(each, None)
+    return merged
 
 
 def given_by(element: Element) -> Given:

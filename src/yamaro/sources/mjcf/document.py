@@ -14,16 +14,12 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from ...source import Span
     from ...xml.tree import Node
     from ..host import Host
 
 ROOT = "mujoco"
 BODY, WORLD = "body", "worldbody"
-META = ("frame", "replicate")
-"""What may be in a body around other elements of it."""
 _INCLUDED = ("mujocoinclude", ROOT)
-OF_REPLICAS = ("replicate", "attach")
 
 
 class Document:
@@ -33,13 +29,15 @@ class Document:
         root: its outermost element, in which included files are put in their places.
         folder: the folder of the main file, in which all its paths start.
         name: the name of the model, or "".
+        is_replicated: whether copies are in the place of each `<replicate>`.
     """
 
-    __slots__ = ("_sections", "folder", "name", "root")
+    __slots__ = ("_sections", "folder", "is_replicated", "name", "root")
 
     def __init__(self, root: Element, folder: str) -> None:
         self.root = root
         self.folder = folder
+        self.is_replicated = False
         self.name = text(root, "model") or ""
         self._sections: dict[str, list[Element]] = {}
         for child in root.elements():
@@ -146,10 +144,6 @@ def _included(element: Element, host: Host, folder: str, files: set[str], depth:
 
 _SAME = {WORLD: BODY, "frame": BODY, "replicate": BODY}
 """The elements that hold what another one holds."""
-_EXTRA = {
-    "/mujoco": frozenset(("model",)),
-    f"{ROOT}/{WORLD}": frozenset((*ATTRIBUTES["mujoco/body"].split(),)),
-}
 _known: dict[str, frozenset[str]] = {}
 
 
@@ -214,8 +208,3 @@ def _unknown_attribute(element: Element, name: str, known: frozenset[str]) -> Ya
         element.name_span(name),
         hint=did_you_mean(name, sorted(known)) or f"its attributes are {', '.join(sorted(known))}",
     )
-
-
-def place(element: Element, attribute: str) -> Span:
-    """Return where the value of an attribute is written."""
-    return element.value_span(attribute)

@@ -124,7 +124,7 @@ def _of_geoms(body: Body, geoms: Iterable[Geom]) -> Mass | None:
         )  # fmt: skip
         sums = [s + o + a for s, o, a in zip(sums, own, moved, strict=True)]
     xx, yy, zz, xy, xz, yz = sums
-    noise = 1e-14 * (xx + yy + zz)
+    noise = 1e-16 * (xx + yy + zz)
     xy, xz, yz = (0.0 if abs(each) < noise else each for each in (xy, xz, yz))
     return Mass(total, Pose(UNTURNED, (x, y, z)), ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz)))
 
@@ -136,7 +136,8 @@ def _bounded(body: Body, found: Mass | None) -> Mass | None:
     balances = truth(settings, "balanceinertia", False)
     if not (least or least_moment or balances):
         return found
-    found = found or Mass(0.0, IDENTITY, diagonal(ZERO))
+    if found is None:  # MuJoCo then takes the pose of the body for that of its inertia
+        found = Mass(0.0, body.thing.context.compiler.pose(body.thing.given), diagonal(ZERO))
     pose, moments = found.along()
     mass = max(found.mass, least)
     a, b, c = (max(each, least_moment) for each in moments)

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import os
-from math import hypot, sqrt
+from math import hypot, isfinite, sqrt
 
 from ...diagnostics import failure
-from ...model.inertia import principal_axes
-from ...model.pose import IDENTITY, UNTURNED, ZERO, Pose
+from ...model.hull import hull
+from ...model.pose import IDENTITY, UNTURNED, ZERO, Pose, multiply, transposed
 from .compiler import SMALLEST, chosen, fault, numbers, vector
 
 TYPE_CHECKING = False
@@ -15,15 +15,34 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
     from ...model.pose import Rotation, Vector
+    from ...source import Span
     from ..host import Host
     from .tree import Thing
 
     Triangle = tuple[int, int, int]
 
 LEGACY, EXACT, CONVEX, SHELL = "legacy", "exact", "convex", "shell"
+ALIGNED = 1e-7
+"""Products of inertia below this part of the largest moment do not turn a mesh."""
+MOST_TURNS = 500
+_PLANES = ((1, 2), (0, 2), (0, 1))
 UNSCALED = (1.0, 1.0, 1.0)
 NOT_OF_FILES = frozenset(("maxhullvert", "smoothnormal"))
 """What a mesh says that no file has, and no model."""
+
+
+class UnknownMassError(Exception):
+    """Only MuJoCo knows the mass of a mesh.
+
+    Attributes:
+        reason: why.
+        span: where the mesh is written.
+    """
+
+    def __init__(self, reason: str, span: Span) -> None:
+        super().__init__(reason)
+        self.reason = reason
+        self.span = span
 
 
 class Moments:
@@ -132,20 +151,15 @@ class MeshAsset:
             flat = numbers(given, "vertex", 12, 1 << 24)
             faces = numbers(given, "face", 3, 1 << 24)
             if flat is None:
-                raise fault(
-                    f"the mass of the mesh '{self.name}' is not known: it is made by MuJoCo",
-                    self.thing.span,
-                    "give the body an <inertial>",
-                )
-            points = [*zip(flat[::3], flat[1::3], flat[2::3], strict=False)]
+                reason = f"MuJoCo makes the mesh '{self.name}'"
+                raise UnknownMassError(reason, self.thing.span)
+            inline = [*zip(flat[::3], flat[1::3], flat[2::3], strict=False)]
             if faces is None:
-                from ...model.hull import hull
-
-                return points, hull(points)
+                return inline, hull(inline)
             whole = [*map(int, faces)]
-            if not all(0 <= index < len(points) for index in whole):
+            if not all(0 <= index < len(inline) for index in whole):
                 raise fault("a face has a vertex that is not there", given["face"][1], "from 0")
-            return points, [*zip(whole[::3], whole[1::3], whole[2::3], strict=True)]
+            return inline, [*zip(whole[::3], whole[1::3], whole[2::3], strict=True)]
         span = self.thing.element.value_span("file")
         path = self._host.find(self.filename(), span)
         if path is None:
@@ -156,7 +170,7 @@ class MeshAsset:
                 hint="a path starts at the folder of the main file and 'meshdir' of <compiler>",
             )
         try:
-            mesh = self._host.mesh(path)
+            points, triangles = self._in_file(path)
         except (MeshFileError, MissingLibraryError) as error:
             raise failure(
                 "bad-mesh",
@@ -164,9 +178,25 @@ class MeshAsset:
                 span,
                 hint="MuJoCo reads binary STL, OBJ and MSH; give the body an <inertial>",
             ) from error
-        single = array("f", [number for point in mesh.vertices for number in point])  # as MuJoCo
-        points = [*zip(single[::3], single[1::3], single[2::3], strict=True)]
-        return points, mesh.triangles
+        single = array("f", [number for point in points for number in point])  # as MuJoCo
+        return [*zip(single[::3], single[1::3], single[2::3], strict=True)], triangles
+
+    def _in_file(self, path: str) -> tuple[Sequence[Vector], Sequence[Triangle]]:
+        """Return the corners and triangles of a file; those of the hull if it has no triangles."""
+        from ...meshes.formats import NO_TRIANGLES, MeshFileError
+
+        if path.lower().endswith(".msh"):
+            return _of_msh(self._host.data(path))
+        try:
+            mesh = self._host.mesh(path)
+        except MeshFileError as error:
+            if str(error) != NO_TRIANGLES or not path.lower().endswith(".obj"):
+                raise
+            words = [line.split() for line in self._host.data(path).splitlines()]
+            lines = [each[1:4] for each in words if len(each) >= 4 and each[0] == b"v"]
+            points = [(float(x), float(y), float(z)) for x, y, z in lines]
+            return points, hull(points)
+        return mesh.vertices, mesh.triangles
 
     def moments(self) -> Moments:
         """Return the mass of the mesh at density 1, by the method that it asks for."""
@@ -174,8 +204,6 @@ class MeshAsset:
             points, triangles = self.corners()
             kind = chosen(self.thing.given, "inertia", (CONVEX, EXACT, LEGACY, SHELL), LEGACY)
             if kind == CONVEX:
-                from ...model.hull import hull
-
                 triangles = hull(points)
             found = moments_of(points, triangles, kind)
             if found is None:
@@ -187,30 +215,81 @@ class MeshAsset:
             self._moments = found
         return self._moments
 
-    def axes(self) -> tuple[Pose, Vector]:
-        """Return the pose in the geom along its principal axes, and half the edges of the box.
+    def axes(self) -> tuple[Pose, Vector, Vector]:
+        """Return the pose in the geom along its principal axes, half the edges of a box, moments.
 
-        The box has the same inertia; its longest edge is along z.
+        The box has the same inertia; its longest edge is along z. The moments are for 1 kg.
         """
         found = self.moments()
-        values, turn = principal_axes(found.inertia)
-        columns = [*zip(*turn, strict=True)]
-        order = sorted(range(3), key=lambda i: -values[i])
-        a, b, c = (values[i] for i in order)
-        x, y = columns[order[0]], columns[order[1]]
-        z = (
-            x[1] * y[2] - x[2] * y[1],
-            x[2] * y[0] - x[0] * y[2],
-            x[0] * y[1] - x[1] * y[0],
-        )
-        rotation = ((x[0], y[0], z[0]), (x[1], y[1], z[1]), (x[2], y[2], z[2]))
+        (a, b, c), rotation = aligned(found.inertia)
         size = found.size
         halves = (
             sqrt(max(6 * (b + c - a) / size, 0.0)) / 2,
             sqrt(max(6 * (a + c - b) / size, 0.0)) / 2,
             sqrt(max(6 * (a + b - c) / size, 0.0)) / 2,
         )
-        return Pose(rotation, found.center), halves
+        return Pose(rotation, found.center), halves, (a / size, b / size, c / size)
+
+
+def _of_msh(data: bytes) -> tuple[Sequence[Vector], Sequence[Triangle]]:
+    """Return the corners and triangles of a file in MuJoCo's own format.
+
+    Four counts (of corners, normals, texture points, triangles) are before rows of float32 and, of
+    the triangles, int32. Source: MuJoCo's manual, "Legacy MSH file format".
+    """
+    from array import array
+    from struct import Struct
+
+    from ...meshes.formats import MeshFileError
+
+    head = Struct("<4i")
+    if len(data) < head.size:
+        raise MeshFileError("it has no head")
+    corners, normals, texture, faces = head.unpack_from(data)
+    size = head.size + 12 * (corners + normals + faces) + 8 * texture
+    if min(corners, normals, texture, faces) < 0 or len(data) != size:
+        raise MeshFileError("its size is not that of its counts")
+    flat = array("f", data[head.size : head.size + 12 * corners])
+    rows = array("i", data[size - 12 * faces :])
+    points = [*zip(flat[::3], flat[1::3], flat[2::3], strict=True)]
+    if rows and not 0 <= min(rows) <= max(rows) < corners:
+        raise MeshFileError("a triangle has a corner that is not there")
+    if not all(isfinite(number) for number in flat):
+        raise MeshFileError("a coordinate is not a finite number")
+    return points, [*zip(rows[::3], rows[1::3], rows[2::3], strict=True)] or hull(points)
+
+
+def aligned(inertia: Rotation) -> tuple[Vector, Rotation]:
+    """Return the moments and axes along which MuJoCo turns a mesh, the largest moment first.
+
+    It turns in the plane of the largest product of inertia until that is below `ALIGNED` of the
+    largest moment; what is left is not part of the model. Found by compiling meshes; the method is
+    Jacobi's: G. H. Golub and C. F. Van Loan, Matrix Computations, 4th edition, 8.5.
+    """
+    turn = UNTURNED
+    least = ALIGNED * max(abs(each) for line in inertia for each in line)
+    found = inertia
+    for _ in range(MOST_TURNS):
+        found = multiply(multiply(transposed(turn), inertia), turn)
+        row, column = max(_PLANES, key=lambda plane: abs(found[plane[0]][plane[1]]))
+        product = found[row][column]
+        if abs(product) <= least:
+            break
+        ratio = (found[column][column] - found[row][row]) / (2 * product)
+        tangent = (1.0 if ratio >= 0 else -1.0) / (abs(ratio) + sqrt(1 + ratio * ratio))
+        cosine = 1 / sqrt(1 + tangent * tangent)
+        sine = tangent * cosine
+        step = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+        step[row][row] = step[column][column] = cosine
+        step[row][column], step[column][row] = sine, -sine
+        (a, b, c), (d, e, f), (g, h, i) = step
+        turn = multiply(turn, ((a, b, c), (d, e, f), (g, h, i)))
+    moments = (found[0][0], found[1][1], found[2][2])
+    columns = transposed(turn)
+    first, second, third = sorted(range(3), key=lambda axis: -moments[axis])
+    x, y = columns[first], columns[second]
+    z = (x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0])
+    return (moments[first], moments[second], moments[third]), transposed((x, y, z))
 
 
 def moments_of(

@@ -51,6 +51,10 @@ def add_sections(builder: Builder) -> None:
             if known is not whole:
                 known.attributes.update(whole.attributes)
             for each in section.elements():
+                if not context.has(each, section.name):
+                    continue
+                if number and section.name == "keyframe":
+                    continue
                 thing = Thing(each, context, context.given(each, section=section.name))
                 keep(section.name, kept(thing))
     for element in builder.equalities:

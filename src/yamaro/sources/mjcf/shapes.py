@@ -6,7 +6,7 @@ from math import pi
 
 from ...model.pose import IDENTITY, UNTURNED, Pose, rotation_from_z
 from ...model.shapes import Box, Capsule, Cylinder, Sphere
-from .compiler import SMALLEST, chosen, fault, number, numbers, truth
+from .compiler import MAXVAL, SMALLEST, chosen, fault, number, numbers, truth
 from .inertia import DENSITY, Mass, diagonal
 
 TYPE_CHECKING = False
@@ -90,6 +90,9 @@ class Geom:
             self.sizes, place = self._fitted(mesh)
             pose = pose @ place
         self.pose = pose
+        if any(abs(size) > MAXVAL for size in self.sizes):
+            span = given["size"][1] if "size" in given else thing.span
+            raise fault("this size is too large", span, f"MuJoCo takes up to {MAXVAL:g} m")
         wanted = SIZES.get(self.type)
         if wanted is not None:
             if len(self.sizes) < wanted or min(self.sizes[:wanted]) <= 0:
@@ -106,7 +109,7 @@ class Geom:
         Source: MuJoCo, user_mesh.cc: FitGeom.
         """
         given = self.thing.given
-        pose, (a, b, c) = mesh.axes()
+        pose, (a, b, c), _ = mesh.axes()
         sizes: Sizes
         if truth(self.thing.context.compiler.given, "fitaabb", False):
             inverse = pose.inverse()
@@ -161,19 +164,10 @@ class Geom:
         if (weight if weight >= 0 else density) <= SMALLEST:
             return None
         if self.mesh is not None:
-            found = self.mesh.moments()
-            mass = weight if weight >= 0 else density * found.size
-            share = mass / found.size
-            (a, b, c), (d, e, f), (g, h, i) = found.inertia
-            return Mass(
-                mass,
-                self.pose @ Pose(UNTURNED, found.center),
-                (
-                    (a * share, b * share, c * share),
-                    (d * share, e * share, f * share),
-                    (g * share, h * share, i * share),
-                ),
-            )
+            size = self.mesh.moments().size
+            mass = weight if weight >= 0 else density * size
+            pose, _, moments = self.mesh.axes()
+            return Mass(mass, self.pose @ pose, diagonal(mass * each for each in moments))
         if self.type not in SIZES:
             return None
         is_shell = truth(given, "shellinertia", False)

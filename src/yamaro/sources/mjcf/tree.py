@@ -4,39 +4,29 @@ from __future__ import annotations
 
 import os
 
-from ...diagnostics import failure
+from ...diagnostics import YamaroError, failure
 from ...model.pose import IDENTITY, Pose
-from .classes import Classes
-from .compiler import ORIENTATIONS, Compiler, given_by, truth
-from .document import BODY, WORLD, Document, text
+from ...xml.reader import read_xml
+from ...xml.tree import Element
+from .classes import Classes, unknown
+from .compiler import Compiler, completed, given_by, truth
+from .document import BODY, WORLD, load, text
+from .references import OBJECTS, REFERENCES, names_in, referring, replicate
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from ...source import Span
-    from ...xml.tree import Element
     from ..host import Host
     from .classes import Given
     from .document import Document
+    from .references import Names
 
 OF_BODY = frozenset(("gravcomp", "mocap", "user", "sleep", "fuse", "simple"))
 """What a body says of itself besides its pose."""
 _KINDS = {"equality": "equality", "tendon": "tendon"}
 """The default element of all that is in a section."""
-NAMELESS = ("class", "childclass")
-REFERENCES = {
-    "joint": "joint", "joint1": "joint", "joint2": "joint", "jointinparent": "joint",
-    "body": "body", "body1": "body", "body2": "body", "target": "body",
-    "subtree1": "body", "subtree2": "body",
-    "site": "site", "site1": "site", "site2": "site", "cranksite": "site", "slidersite": "site",
-    "refsite": "site", "sidesite": "site",
-    "geom": "geom", "geom1": "geom", "geom2": "geom",
-    "tendon": "tendon", "tendon1": "tendon", "tendon2": "tendon",
-    "actuator": "actuator", "camera": "camera", "mesh": "mesh", "hfield": "hfield",
-    "material": "material", "texture": "texture", "flex": "flex", "instance": "plugin",
-}  # fmt: skip
-"""What the attributes name that name something."""
 
 
 class Thing:
@@ -61,7 +51,7 @@ class Thing:
         self.name = context.prefix + name[0] if name is not None and name[0] else ""
         given.pop("class", None)
         if context.prefix:
-            for attribute in REFERENCES.keys() & given.keys():
+            for attribute in (REFERENCES.keys() | OBJECTS.keys()) & given.keys():
                 value, span = given[attribute]
                 given[attribute] = (context.prefix + value, span)
         self.given = given
@@ -149,12 +139,13 @@ class Context:
         classes: its default classes.
         compiler: its settings.
         prefix: what is before the names of all that is in it.
+        part: the names in the part of it that is attached; None for all of it.
     """
 
-    __slots__ = ("classes", "compiler", "document", "host", "prefix")
+    __slots__ = ("classes", "compiler", "document", "host", "part", "prefix")
 
     def __init__(self, document: Document, host: Host, prefix: str = "") -> None:
-        """Read the settings and classes of a document.
+        """Read the settings and classes of a document, and replicate what it says.
 
         Raises:
             YamaroError: one of them is faulty.
@@ -162,7 +153,11 @@ class Context:
         self.document = document
         self.host = host
         self.prefix = prefix
+        self.part: Names | None = None
         self.compiler = Compiler(document)
+        if not document.is_replicated:
+            replicate(document, self.compiler, host.limits)
+            document.is_replicated = True
         self.classes = Classes(document.sections("default"))
 
     def given(self, element: Element, childclass: str | None = None, *, section: str = "") -> Given:
@@ -189,14 +184,7 @@ class Context:
             base = kinds.get(_KINDS.get(section, element.name), {})
         else:
             return own
-        if not base:
-            return own
-        merged = {**base, **own}
-        if any(each in own for each in ORIENTATIONS):
-            for each in ORIENTATIONS:
-                if each not in own:
-                    merged.pop(each, None)
-        return merged
+        return completed(own, base) if base else own
 
     def path(self, name: str, folder: str) -> str:
         """Return the absolute path of a file that the document names.
@@ -214,22 +202,45 @@ class Context:
         return [
             Thing(each, self, self.given(each, section=section))
             for each in self.document.inside(section)
+            if self.has(each, section)
         ]
+
+    def has(self, element: Element, section: str) -> bool:
+        """Return whether an element of a section belongs to what is attached of the document."""
+        if self.part is None or section in ("asset", "extension"):
+            return True
+        return referring(element, self.part)
+
+    def models(self) -> dict[str, Element]:
+        """Return the elements that name other documents, by the names of these."""
+        found = {}
+        for each in self.document.inside("asset"):
+            if each.name == "model":
+                name = text(each, "name")
+                found[name or self._name_in(each) or ""] = each
+        return found
+
+    def _name_in(self, asset: Element) -> str | None:
+        """Return the name that the document of an asset gives itself."""
+        path = os.path.join(self.document.folder, text(asset, "file") or "")
+        return text(read_xml(self.host.read(path, asset.value_span("file"))).root, "model")
 
 
 class Reader:
-    """Reads the bodies of a document.
+    """Reads the bodies of a document, and of those that are attached.
 
     Attributes:
-        models: the documents that can be attached, by name.
+        host: gives files.
+        attached: the documents that are attached, each as often as it is.
     """
 
-    __slots__ = ("_attached", "_depth", "_frames", "attached", "host")
+    __slots__ = ("_depth", "_documents", "attached", "host")
 
     def __init__(self, host: Host) -> None:
         self.host = host
         self.attached: list[Context] = []
         self._depth = 0
+        self._documents: dict[str, Document] = {}
 
     def world(self, context: Context) -> Body:
         """Return the world of a document with all bodies in it.
@@ -254,6 +265,8 @@ class Reader:
             kind = element.name
             if kind == BODY:
                 self._body(context, element, body, frame, childclass)
+            elif kind == "attach":
+                self._attach(context, element, body, frame, childclass)
             elif kind == "frame":
                 given = given_by(element)
                 inner = given.get("childclass")
@@ -288,16 +301,89 @@ class Reader:
         pose = context.compiler.pose(given)
         if frame is not IDENTITY:
             pose = frame @ pose
-        name = thing.name or f"{parent.name}_{len(parent.bodies) + 1}"
-        body = Body(thing, name, pose)
+        body = Body(thing, thing.name, pose)
         parent.bodies.append(body)
         self._depth += 1
         if self._depth > self.host.limits.nesting:
-            raise failure(
-                "too-deep",
-                f"bodies are nested {self._depth:,} levels deep here",
-                element.span,
-                hint=self.host.limits.hint("nesting"),
-            )
+            raise too_deep(self.host, self._depth, element.span)
         self._read(context, element, body, IDENTITY, inner[0] if inner is not None else childclass)
         self._depth -= 1
+
+    # --- other models ---
+
+    def _attach(
+        self, context: Context, element: Element, body: Body, frame: Pose, childclass: str | None
+    ) -> None:
+        """Read another document, or a part of it, where it is attached."""
+        prefix = context.prefix + (text(element, "prefix") or "")
+        self._depth += 1
+        if self._depth > self.host.limits.nesting:
+            raise too_deep(self.host, self._depth, element.span)
+        name = text(element, "model")
+        document = context.document
+        if name is not None:
+            document = self._document(context, name, element.value_span("model"))
+        inner = Context(document, self.host, prefix)
+        self.attached.append(inner)
+        for kind in ("body", "frame"):
+            wanted = text(element, kind)
+            if wanted is None:
+                continue
+            found, above = _found(document, kind, wanted, element.value_span(kind))
+            inner.part = names_in(found)
+            holder = Element(WORLD, element.span, children=[found])
+            self._read(inner, holder, body, frame, above)
+            break
+        else:
+            if name is None:
+                raise failure(
+                    "bad-mjcf",
+                    "this attach names neither a model nor a body",
+                    element.span,
+                    hint='write <attach model="…" prefix="…"/>',
+                )
+            for section in document.sections(WORLD):
+                self._read(inner, section, body, frame, text(section, "childclass"))
+        self._depth -= 1
+
+    def _document(self, context: Context, name: str, span: Span) -> Document:
+        """Return the document of a model that can be attached."""
+        models = context.models()
+        if name not in models:
+            raise unknown("model", name, models, span)
+        asset = models[name]
+        file, place = text(asset, "file") or "", asset.value_span("file")
+        path = os.path.normpath(os.path.join(context.document.folder, file))
+        if path not in self._documents:
+            root = read_xml(self.host.read(path, place), self.host.limits).root
+            self._documents[path] = load(root, self.host, os.path.dirname(path))
+        return self._documents[path]
+
+
+def too_deep(host: Host, depth: int, span: Span) -> YamaroError:
+    """Return the error for bodies or models that are nested too deep."""
+    return failure(
+        "too-deep",
+        f"bodies are nested {depth:,} levels deep here",
+        span,
+        hint=host.limits.hint("nesting"),
+    )
+
+
+def _found(document: Document, kind: str, name: str, span: Span) -> tuple[Element, str | None]:
+    """Return a body or frame of a document, and the class that is around it.
+
+    Raises:
+        YamaroError: there is none of the name.
+    """
+    pending = [(each, text(each, "childclass")) for each in document.sections(WORLD)]
+    known = []
+    while pending:
+        element, around = pending.pop()
+        for child in element.elements():
+            if child.name == kind:
+                known.append(text(child, "name") or "")
+                if known[-1] == name:
+                    return child, around
+            pending.append((child, text(child, "childclass") or around))
+    raise unknown(kind, name, known, span)

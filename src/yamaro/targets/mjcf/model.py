@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from ...diagnostics import Frame as Step
+    from ...model.extras import RawXml
     from ...model.joint import Joint
     from ...model.link import Collision, Link
     from ...model.pose import Pose, Vector
@@ -259,6 +260,7 @@ class Writing:
             is_fixed=wanted.is_fixed,
             repairs=wanted.repairs_inertia,
             passed=self.plan.passed,
+            weighed=[raw.link for raw in robot.raw("mjcf") if raw.link and _has_mass(raw)],
         )
         self.losses = Losses(self.inertias.losses)
         self.files: dict[str, bytes] = {}
@@ -318,6 +320,14 @@ class Writing:
         """Note an error, once for each place."""
         if not any(each.code == code and each.span == span for each in self.errors):
             self.errors.append(Diagnostic(code, message, span, hint=hint, trace=trace))
+
+
+def _has_mass(raw: RawXml) -> bool:
+    """Return whether a block in a link has shapes that MuJoCo takes its mass from."""
+    return any(
+        each.name == "geom" and not each.attributes.keys().isdisjoint(("mass", "density"))
+        for each in raw.elements
+    )
 
 
 class Places:
