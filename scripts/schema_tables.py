@@ -18,6 +18,7 @@ ROOT = Path(__file__).resolve().parents[1]
 DOCS = ROOT / "docs"
 sys.path.insert(0, str(ROOT / "src"))
 
+from yamaro.model.controllers import TYPES as KNOWN_CONTROLLERS  # noqa: E402
 from yamaro.model.quantities import default_of, si_units_of  # noqa: E402
 from yamaro.model.schema import (  # noqa: E402
     ELEMENTS,
@@ -214,6 +215,15 @@ def motors() -> str:
     return table(f"motor | {' | '.join(coded((name,)) for name in names)}", rows)
 
 
+def controller_types() -> str:
+    """Return the types of controllers that have a word, with the classes of their plugins."""
+    rows = []
+    for each in KNOWN_CONTROLLERS.values():
+        older = f"; in Humble `{each.older}`" if each.older else ""
+        rows.append((f"`{each.word}`", f"`{each.plugin}`{older}"))
+    return table("`type` | plugin", rows)
+
+
 # --- the cheat sheet --------------------------------------------------------------------------
 
 
@@ -246,14 +256,20 @@ def short_words() -> str:
             f"`command` ({commands}), {others}",
         ),
         ("[`surface`](language.md#surfaces) in a collision", coded(surface.fields)),
-        ("[`control:`](language.md#actuators-and-control)", coded(WORDS["control"].fields)),
+        ("[`control:`](language.md#ros2_control)", coded(WORDS["control"].fields)),
     ]
     return table("word | keys", rows)
 
 
 def short_sections() -> str:
-    """Return the entries of groups, collisions and loops."""
-    words = {"a group in `groups`": "group", "`collisions`": "collisions", "`loop`": "loop"}
+    """Return the entries of groups, controllers, collisions and loops."""
+    words = {
+        "a group in `groups`": "group",
+        "[`controllers`](language.md#controllers)": "controllers",
+        "a controller in it": "controller",
+        "`collisions`": "collisions",
+        "`loop`": "loop",
+    }
     return table("of | keys", [(text, coded(WORDS[name].fields)) for text, name in words.items()])
 
 
@@ -268,6 +284,7 @@ TABLES: dict[str, Callable[[], str]] = {
     "units": units,
     "formats": holding,
     "motors": motors,
+    "controller types": controller_types,
     "joint values": partial(values, OF_JOINT, "of a joint | values"),
     "word values": partial(values, [WORDS["actuator"], WORDS["surface"]], "each | values"),
     "short joints": short_joints,
@@ -275,7 +292,10 @@ TABLES: dict[str, Callable[[], str]] = {
     "short sections": short_sections,
     **{
         name: partial(entries, WORDS[name])
-        for name in ("actuator", "surface", "control", "loop", "group", "collisions")
+        for name in (
+            *("actuator", "surface", "control", "controllers", "controller"),
+            *("loop", "group", "collisions"),
+        )
     },
 }
 """What writes each table, by the name in its mark."""

@@ -14,6 +14,7 @@ from tests.waiting import PATIENCE
 
 BENCH = Path(__file__).parents[1] / "bench"
 OTHERS = {
+    *("controllers", "moveit"),
     *("attached", "changes", "engines", "fresh", "interface", "losses", "mass", "measuring"),
     *("isaaclab_articulations", "mirrored", "mjcf", "mjcf_in", "mjlab_entities"),
     *("killed", "newton_orders", "noise", "others", "reading", "robots", "run", "sdf", "simready"),

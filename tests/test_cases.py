@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import pytest
+import yaml
 from lxml import etree
 from packaging.specifiers import SpecifierSet
 
@@ -189,8 +190,13 @@ def is_from_a_case(module_name: str) -> bool:
 
 def test_expected_output_is_well_formed() -> None:
     for expected in sorted(CASES.glob("*/*.xml")):
-        if read_options(expected.with_suffix(".yaml")).get("command") == "why":
+        options = read_options(expected.with_suffix(".yaml"))
+        if options.get("command") == "why":
             assert " = " in expected.read_text(encoding="utf-8").partition("\n")[0], expected
+        elif options.get("command") == "check":  # which found nothing
+            assert expected.read_text(encoding="utf-8") == f"{expected.stem}.yaml: ok\n"
+        elif "--to controllers" in options.get("args", ""):
+            assert "controller_manager" in yaml.safe_load(expected.read_text(encoding="utf-8"))
         else:
             assert etree.parse(expected).getroot() is not None
 

@@ -12,6 +12,8 @@ from yamaro.model.schema import (
     ACTUATOR,
     COLLISIONS,
     CONTROL,
+    CONTROLLER,
+    CONTROLLERS,
     ELEMENTS,
     GROUP,
     LINK_SENSORS,
@@ -51,6 +53,9 @@ GIVEN: dict[tuple[str, str], str] = {
     ("group", "parent"): "fore",
     ("group", "end_effector"): "'true'",
     ("collisions", "keep"): "[[base, tool]]",
+    ("controller", "type"): "joint_trajectory",
+    ("controller", "joints"): "[elbow]",
+    ("controller", "group"): "whole",
     ("control", "name"): "hardware",
     ("control", "plugin"): "vendor/Hardware",
     ("control", "joints"): "[elbow]",
@@ -80,6 +85,10 @@ CHANGED: dict[tuple[str, str], str] = {
     ("group", "parent"): "base",
     ("group", "end_effector"): "'false'",
     ("collisions", "keep"): "[[base, fore]]",
+    ("group", "kinematics"): "lma",
+    ("controller", "type"): "forward_command",
+    ("controller", "joints"): "[shoulder]",
+    ("controller", "group"): "third",
     ("control", "name"): "driver",
     ("control", "plugin"): "vendor/Driver",
     ("control", "joints"): "[elbow, shoulder]",
@@ -102,11 +111,14 @@ SHOULDER = ("armature", "frequency", "damping_ratio")
 """The entries of an actuator that say what others of the elbow's say."""
 ELBOW = tuple(name for name in ACTUATOR.fields if name not in (*SHOULDER, "motor"))
 
+WORDS = (*(ACTUATOR, SURFACE, SENSOR, LOOP, GROUP, COLLISIONS, CONTROL, CONTROLLERS, CONTROLLER),)
+"""What words say besides URDF."""
+
 ROWS = [
     (thing.name, name)
     for thing in (
         *ELEMENTS.values(),
-        *(ACTUATOR, SURFACE, SENSOR, LOOP, GROUP, COLLISIONS, CONTROL),
+        *WORDS,
         *SENSORS.values(),
     )
     for name in thing.fields
@@ -137,8 +149,7 @@ def field_of(row: tuple[str, str]) -> Field:
 
 def things() -> dict[str, Thing]:
     """Return all things by name; a sensor's type, such as `range`, is one."""
-    words = (ACTUATOR, SURFACE, SENSOR, LOOP, GROUP, COLLISIONS, CONTROL)
-    return {**{each.name: each for each in words}, **SENSORS, **ELEMENTS}
+    return {**{each.name: each for each in WORDS}, **SENSORS, **ELEMENTS}
 
 
 def value_of(row: tuple[str, str], values: Values) -> str:
@@ -174,6 +185,7 @@ def text(values: Values = {}) -> str:  # noqa: B006 - is not changed
         for place, kind in enumerate(("box", "cylinder", "sphere", "capsule"), 1)
     )
     mesh = f"geometry: {value('mesh', 'filename')}, scale: {value('mesh', 'scale')}"
+    manager = "".join(f"  {name}: {value('controllers', name)}\n" for name in CONTROLLERS.fields)
     return f"""\
 robot: {value("robot", "name")}
 base: fixed
@@ -190,8 +202,13 @@ groups:
     links: [tool]
     parent: {value("group", "parent")}
     end_effector: {value("group", "end_effector")}
+    kinematics: {value("group", "kinematics")}
 collisions: {{{fields(COLLISIONS)}}}
 control: {{{fields(CONTROL)}}}
+controllers:
+{manager}\
+  some_controller: {{type: {value("controller", "type")}, joints: {value("controller", "joints")}}}
+  other_controller: {{type: joint_trajectory, group: {value("controller", "group")}}}
 model:
 - part:
     name: base

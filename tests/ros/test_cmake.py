@@ -252,7 +252,7 @@ def test_check_adds_a_test(made: Project) -> None:
             "robot.urdf.yaml TO urfd",
             (
                 "unknown format 'urfd'; TO takes "
-                "urdf, sdf, mjcf, srdf, usd, interface, mjlab and isaaclab"
+                "urdf, sdf, mjcf, srdf, usd, interface, mjlab, isaaclab and controllers"
             ),
         ),
         ("robot.urdf.yaml T urdf", "unknown argument 'T;urdf'"),

@@ -53,7 +53,10 @@ def test_each_folder_of_targets_is_in_the_table() -> None:
 def test_the_docs_list_the_targets(page: str, row: str) -> None:
     found = re.search(row, (ROOT / page).read_text(encoding="utf-8"), re.MULTILINE)
     assert found is not None
-    assert re.findall(r"`\"?(\w+)\"?`", found[1]) == list(TARGETS)
+    formats = [
+        each.name for each in TARGETS.values() if page != "docs/cmake.md" or not each.is_folder
+    ]
+    assert re.findall(r"`\"?(\w+)\"?`", found[1]) == formats
 
 
 def test_the_page_of_output_formats_says_what_their_files_are_called() -> None:

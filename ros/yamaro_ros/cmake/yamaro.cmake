@@ -2,7 +2,7 @@
 #
 #   yamaro_add_robot(<file>
 #     [TO <format>...]               urdf (the default), sdf, mjcf, srdf, usd, interface,
-#                                  mjlab, isaaclab
+#                                  mjlab, isaaclab, controllers
 #     [OUTPUT <path>...]             one for each format; relative to CMAKE_CURRENT_BINARY_DIR
 #     [VARIABLES <name:=value>...]   as on the command line
 #     [TRUST trust|jail|safe]        how far the file is trusted; by default trust
@@ -34,6 +34,7 @@ set(_YAMARO_ENDING_usd .usda CACHE INTERNAL "")
 set(_YAMARO_ENDING_interface .interface.json CACHE INTERNAL "")
 set(_YAMARO_ENDING_mjlab _mjlab.py CACHE INTERNAL "")
 set(_YAMARO_ENDING_isaaclab _isaaclab.py CACHE INTERNAL "")
+set(_YAMARO_ENDING_controllers _controllers.yaml CACHE INTERNAL "")
 
 # Sets `out` to the name of a robot's file without its endings: rover for rover.urdf.yaml.
 function(_yamaro_name file out)
@@ -142,7 +143,8 @@ or name it with -DYAMARO_COMMAND=/path/to/yamaro")
   endif()
   foreach(format IN LISTS robot_TO)
     if(NOT DEFINED _YAMARO_ENDING_${format})
-      _yamaro_fail("${file}" "unknown format '${format}'; TO takes urdf, sdf, mjcf, srdf, usd, interface, mjlab and isaaclab")
+      _yamaro_fail("${file}" "unknown format '${format}'; TO takes urdf, sdf, mjcf, srdf, usd, interface, \
+mjlab, isaaclab and controllers")
     endif()
   endforeach()
   list(LENGTH robot_TO count)

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from ..diagnostics import Frame as Step
     from ..source import Span
     from ..xml.tree import Element
+    from .controllers import Controller, ControllerManager, Parameters
     from .pose import Vector
     from .schema import Thing
 
@@ -363,9 +364,12 @@ class Group(Noted):
         links, joints, groups: the names of its members.
         parent: the link that an end effector is mounted on, or None.
         is_end_effector: whether it is an end effector.
+        kinematics: what is said of the solver for its chain: `solver` and its parameters.
     """
 
-    __slots__ = ("chains", "groups", "is_end_effector", "joints", "links", "name", "parent")
+    __slots__ = (
+        "chains", "groups", "is_end_effector", "joints", "kinematics", "links", "name", "parent",
+    )  # fmt: skip
 
     def __init__(self, element: Element) -> None:
         super().__init__(element)
@@ -377,6 +381,11 @@ class Group(Noted):
         self.groups = self._named("robot-group", "name")
         self.parent = attribute_text(element, "parent_link")
         self.is_end_effector = self._text("end_effector") == "true"
+        self.kinematics: Parameters = {}
+        if any(each.name == "parameter" for each in element.elements()):
+            from .controllers import parameters_in
+
+            self.kinematics = parameters_in(element)
 
 
 class CollisionSettings(Noted):
@@ -496,8 +505,8 @@ class Extras:
     """What the notes of a robot say; see the properties of `Robot`."""
 
     __slots__ = (
-        "actuators", "base", "collision_settings", "controls", "groups", "loops", "raw", "sensors",
-        "states", "surfaces",
+        "actuators", "base", "collision_settings", "controller_manager", "controllers", "controls",
+        "groups", "loops", "raw", "sensors", "states", "surfaces",
     )  # fmt: skip
 
     def __init__(self, notes: Sequence[Element] = ()) -> None:
@@ -523,6 +532,16 @@ class Extras:
         self.loops: Mapping[str, Loop] = ByName("loop", {each.name: each for each in loops})
         self.raw = tuple(map(RawXml, _of(notes, "raw-block")))
         self.controls = tuple(map(Control, _of(notes, "ros2_control")))
+        self.controllers: Mapping[str, Controller] = {}
+        self.controller_manager: ControllerManager | None = None
+        if any(each.name in ("robot-controller", "controller-manager") for each in notes):
+            from .controllers import Controller, ControllerManager
+
+            controllers = map(Controller, _of(notes, "robot-controller"))
+            self.controllers = ByName("controller", {each.name: each for each in controllers})
+            managers = [ControllerManager(each) for each in _of(notes, "controller-manager")]
+            managers.sort(key=lambda each: each.trace is not None)  # that of the main file wins
+            self.controller_manager = managers[0] if managers else None
         settings = [CollisionSettings(each) for each in _of(notes, "collisions")]
         self.collision_settings = settings[-1] if settings else None
         bases = [Base(each) for each in _of(notes, "base")]

@@ -39,6 +39,7 @@ if TYPE_CHECKING:
     from .changes.change import Changes
     from .changes.context import SameFile
     from .compare import Difference
+    from .controllers import Controller, ControllerManager
     from .extras import (
         Actuator,
         Base,
@@ -331,6 +332,16 @@ class Robot(Written):
     def controls(self) -> tuple[Control, ...]:
         """Return the hardware that drives the joints: of words, then of `<ros2_control>`."""
         return self._more().controls
+
+    @property
+    def controllers(self) -> Mapping[str, Controller]:
+        """Return the controllers that the section `controllers` names."""
+        return self._more().controllers
+
+    @property
+    def controller_manager(self) -> ControllerManager | None:
+        """Return what that section says of the controller manager, or None."""
+        return self._more().controller_manager
 
     @property
     def collision_settings(self) -> CollisionSettings | None:

@@ -476,6 +476,9 @@ GROUP = Thing(
     Field("parent", TEXT, help="the link that an end effector is joined to"),
     Field("end_effector", TEXT, choices=("true", "false"), default="false",
           help="whether the group is an end effector"),
+    Field("kinematics", TEXT, default="kdl", example="trac_ik",
+          help="the solver of a chain in MoveIt: kdl, lma, trac_ik, pick_ik, bio_ik, none, the "
+          "class of a plugin, or a mapping with `solver` and its parameters"),
 )  # fmt: skip
 
 COLLISIONS = Thing(
@@ -505,8 +508,29 @@ CONTROL = Thing(
     Field("state", TEXT, help="the state that gives the initial values"),
 )  # fmt: skip
 
+CONTROLLERS = Thing(
+    "controllers",
+    Field("update_rate", 1, "frequency", sign=WHOLE, default=100.0, example="100",
+          help="the rate of the controller manager"),
+    Field("distro", TEXT, choices=("humble", "jazzy", "kilted", "lyrical", "rolling"),
+          default="jazzy", help="the distribution of ROS 2"),
+)  # fmt: skip
+"""What the section `controllers` says besides its controllers."""
+
+CONTROLLER = Thing(
+    "controller",
+    Field("type", TEXT, required=True, example="joint_trajectory",
+          help="a word such as `joint_trajectory` or `diff_drive`, or the class of a plugin"),
+    Field("joints", TEXT, help="names, or patterns such as `left_*`, of joints or parts"),
+    Field("group", TEXT, help="the group whose joints it takes, in place of `joints`"),
+)  # fmt: skip
+"""What a controller has besides the parameters of its type."""
+
 WORDS = {
-    thing.name: thing for thing in (ACTUATOR, SURFACE, SENSOR, LOOP, GROUP, COLLISIONS, CONTROL)
+    thing.name: thing
+    for thing in (
+        *(ACTUATOR, SURFACE, SENSOR, LOOP, GROUP, COLLISIONS, CONTROL, CONTROLLERS, CONTROLLER),
+    )
 }
 """What words of YAML say that URDF has no elements for, by name."""
 

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
     from ..source import Span
     from ..xml.tree import Node, RobotWord
+    from .controllers import PendingController
     from .lowering import Lowering
 
     Patterns = list[tuple[str, Span]]
@@ -123,9 +124,13 @@ def _gpio(lowering: Lowering, pin: Element) -> RobotNote:
 
 
 def choose_members(
-    lowering: Lowering, elements: Sequence[Element], controls: Sequence[PendingControl]
+    lowering: Lowering,
+    elements: Sequence[Element],
+    controls: Sequence[PendingControl | PendingController],
 ) -> None:
     """Put the joints and sensors that each control drives into its note, before any prefix.
+
+    After them the controllers choose among these joints.
 
     Each is in one control: ros2_control refuses an interface that is there twice. Those that are
     named come first; what is left goes to the controls that name none.
@@ -133,15 +138,21 @@ def choose_members(
     Args:
         lowering: the run.
         elements: the elements and notes of the robot.
-        controls: the controls.
+        controls: the controls, and the controllers.
     """
-    members = _Members(lowering, elements, {id(control.note) for control in controls})
-    for control in sorted(controls, key=lambda each: each.joints is None):
+    hardware = [each for each in controls if isinstance(each, PendingControl)]
+    members = _Members(lowering, elements, {id(control.note) for control in hardware})
+    for control in sorted(hardware, key=lambda each: each.joints is None):
         for name in members.joints_of(control):
             control.note.children.append(RobotNote("joint", control.note.span, {"joint": name}))
-    for control in sorted(controls, key=lambda each: (each.sensors is None, not each.is_sensor)):
+    for control in sorted(hardware, key=lambda each: (each.sensors is None, not each.is_sensor)):
         for name in members.sensors_of(control):
             control.note.children.append(RobotNote("sensor", control.note.span, {"name": name}))
+    others = [each for each in controls if not isinstance(each, PendingControl)]
+    if others:
+        from .controllers import choose_joints
+
+        choose_joints(lowering, elements, others)
 
 
 class _Members:
@@ -152,7 +163,7 @@ class _Members:
     def __init__(self, lowering: Lowering, elements: Sequence[Element], pending: set[int]) -> None:
         self._lowering = lowering
         self._parts = {joint: part for part, joint in lowering.part_joints.items()}
-        self._joints = _joints(elements)
+        self._joints = drivable_joints(elements)
         notes = [each for each in elements if isinstance(each, RobotNote)]
         self._driven = {each.attributes["joint"] for each in notes if each.name == "actuator"}
         self._sensors = {
@@ -182,7 +193,7 @@ class _Members:
                 names = {
                     name
                     for name in self._joints
-                    if any(_matches(own, pattern[0]) for own in (name, self._parts.get(name, name)))
+                    if any(matches(own, pattern[0]) for own in (name, self._parts.get(name, name)))
                 }
                 if not names - self._taken:
                     self._refuse(control, pattern, bool(names))
@@ -196,10 +207,10 @@ class _Members:
         chosen = set(known) - self._taken
         if control.sensors is not None:
             for pattern in control.sensors:
-                if not any(_matches(name, pattern[0]) for name in chosen):
+                if not any(matches(name, pattern[0]) for name in chosen):
                     self._refuse_sensor(control, pattern, known)
             patterns = [pattern for pattern, _ in control.sensors]
-            chosen = {name for name in chosen if any(_matches(name, each) for each in patterns)}
+            chosen = {name for name in chosen if any(matches(name, each) for each in patterns)}
         self._taken |= chosen
         return [name for name in known if name in chosen]
 
@@ -235,7 +246,7 @@ class _Members:
         self, control: PendingControl, pattern: tuple[str, Span], known: list[str]
     ) -> None:
         word, span = pattern
-        if any(_matches(name, word) for name in known):
+        if any(matches(name, word) for name in known):
             message, hint = f"another control has the sensor '{word}'", "name each in one control"
         elif word in self._sensors:
             message = f"'{word}' is a sensor of the type {self._sensors[word]}"
@@ -251,11 +262,12 @@ class _Members:
 _UNDRIVEN = "no joint has an actuator"
 
 
-def _matches(name: str, patterns: str) -> bool:
+def matches(name: str, patterns: str) -> bool:
+    """Return whether a name is one that patterns such as `left_*` mean."""
     return any(fnmatchcase(name, word) for word in patterns.replace(",", " ").split())
 
 
-def _joints(elements: Sequence[Element]) -> list[str]:
+def drivable_joints(elements: Sequence[Element]) -> list[str]:
     """Return the names of the joints that can be driven: neither fixed nor following another."""
     return [
         format_value(joint.attributes.get("name"))

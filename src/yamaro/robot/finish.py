@@ -40,7 +40,7 @@ def finish_notes(lowering: Lowering, robot: Element) -> tuple[Element, list[Robo
     names = _LinkTree(robot)
     states = merged_states(notes)
     _refuse_names_twice(lowering, notes)
-    _check_groups(lowering, [note for note in notes if note.name == GROUP])
+    _check_groups(lowering, notes)
     for note in notes:
         _check(lowering, names, note)
     if any(note.name == "robot-loop" for note in notes):
@@ -125,10 +125,10 @@ def _refuse_names_twice(lowering: Lowering, notes: Iterable[RobotNote]) -> None:
             )
 
 
-def _check_groups(lowering: Lowering, groups: list[RobotNote]) -> None:
-    """Record the groups that others name and that are not there."""
-    names = [name_of(group) for group in groups]
-    for group in groups:
+def _check_groups(lowering: Lowering, notes: list[RobotNote]) -> None:
+    """Record the groups that others, or controllers, name and that are not there."""
+    names = [name_of(note) for note in notes if note.name == GROUP]
+    for group in (note for note in notes if note.name in (GROUP, "robot-controller")):
         for member in group.elements():
             name = name_of(member)
             if member.name == GROUP and name not in names:
@@ -137,7 +137,8 @@ def _check_groups(lowering: Lowering, groups: list[RobotNote]) -> None:
                         "unknown-group",
                         f"there is no group '{name}'",
                         member.value_span("name"),
-                        hint=did_you_mean(name, names) or f"the groups are {', '.join(names)}",
+                        hint=did_you_mean(name, names)
+                        or f"the groups are {', '.join(names) or 'in the section `groups`'}",
                         trace=group.trace,
                     )
                 )

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from ..xml.tree import RobotNote
     from ..xml.values import Numbers
     from .control import PendingControl
+    from .controllers import PendingController
     from .formed import Pattern
     from .mirror import Mirror
     from .naming import Naming
@@ -29,7 +30,7 @@ if TYPE_CHECKING:
         list[Element],
         list[Mirror],
         list[tuple[RobotNote, str]],
-        list[PendingControl],
+        list[PendingControl | PendingController],
         dict[str, str],
         dict[str, str],
     ]
@@ -61,7 +62,7 @@ class Lowering:
             same wherever it is.
         reports: how often something was reported so far.
         trace: the calls and includes that led to the part that is being lowered.
-        controls: those whose joints are not chosen yet.
+        controls: controls and controllers whose joints are not chosen yet.
         references: notes with the attribute that may yet be the name of a part.
         pending: the mirrors whose image is made once names are resolved, inner ones first.
         part_links: the link of each part, by the part's name.
@@ -126,7 +127,7 @@ class Lowering:
         self.part_joints: dict[str, str] = {}
         self.pending: list[Mirror] = []
         self.references: list[tuple[RobotNote, str]] = []
-        self.controls: list[PendingControl] = []
+        self.controls: list[PendingControl | PendingController] = []
         self.link_name = ""
         self.colors: dict[tuple[float, ...], str] = {}
         self.joint_type: str | None = None

@@ -28,7 +28,13 @@ JOINT_WORDS = frozenset(("actuator", "sensor"))
 SURFACE = "surface"
 """A key of a collision that is worked out beside its link."""
 GROUP = "robot-group"
-NAMED = {"sensor": "sensor", GROUP: "group", "robot-loop": "loop", "ros2_control": "control"}
+NAMED = {
+    "sensor": "sensor",
+    GROUP: "group",
+    "robot-loop": "loop",
+    "ros2_control": "control",
+    "robot-controller": "controller",
+}
 """The notes that are named once in a robot, and what messages call them."""
 
 
@@ -234,6 +240,8 @@ def _entries_in(body: Element, owner: Element, example: str) -> list[Element]:
     for child in body.children:
         if isinstance(child, Text) and isinstance(child.value, dict):
             found += [_entry(name, value, child) for name, value in child.value.items()]
+        elif isinstance(child, Text) and child.value == []:
+            continue
         elif not isinstance(child, Element):
             raise failure(
                 "not-a-body",

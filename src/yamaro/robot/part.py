@@ -254,6 +254,8 @@ def lower_word(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
             from .attach import lower_attach as lower
         case "control":
             from .control import lower_control as lower
+        case "controllers":
+            from .controllers import lower_controllers as lower
         case "naming":
             from .naming import lower_naming as lower
         case _:

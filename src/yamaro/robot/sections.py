@@ -78,6 +78,10 @@ def _groups(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
         for key in group.elements():
             if key.name == "end_effector":
                 note.attributes["end_effector"] = one_of(key, TRUTHS)
+            elif key.name == "kinematics":
+                from .controllers import read_kinematics
+
+                note.children += read_kinematics(lowering, key)
             elif key.name == "parent":
                 value, span = read_value(key)
                 note.attributes["parent_link"] = word_of(key.name, value, span, owner=key)

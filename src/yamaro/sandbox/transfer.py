@@ -276,10 +276,15 @@ def _read_path(data: bytes) -> str:
 
 
 def _read_inner(data: bytes) -> str:
-    """Return the path of a file that is below a folder."""
+    """Return the path of a file that is below a folder.
+
+    A hidden one is directly in it; whether it may be there, the table of targets says.
+    """
     path = _read_name(data)
     steps = path.split("/")
-    if any(not step or step.startswith(".") for step in steps) or {"\\", ":"} & set(path):
+    is_hidden = len(steps) == 1 and path[:1] == "." and path not in (".", "..")
+    is_below = all(step and (step[0] != "." or is_hidden) for step in steps)
+    if not is_below or {"\\", ":"} & set(path):
         raise ValueError("a file is not below its folder")
     return path
 

@@ -32,7 +32,7 @@ ROBOT_STATEMENTS = ("attach", "mirror", "loop")
 """Statements where a part may stand, and elements elsewhere."""
 RAW_BLOCKS = ("urdf", "sdf", "mjcf")
 """Blocks for one output format, directly in a model, a part, or its joint or link."""
-ROBOT_SECTIONS = ("control", "states", "groups", "collisions", "naming", "base")
+ROBOT_SECTIONS = (*("control", "controllers", "states", "groups", "collisions", "naming", "base"),)
 """Sections of a file that describes a robot."""
 FACTORS = {
     "deg": 0.017453292519943295,

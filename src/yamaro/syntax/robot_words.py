@@ -132,7 +132,7 @@ def parse_data(node: YamlNode, context: ParseContext) -> Content:
         return TextContent(parse_template(node, context=context), node.span())
     if isinstance(node, MappingNode):
         return _data_of_pairs(pairs_of(node, "a value", context), context)
-    if node.items and all(isinstance(item, ScalarNode) for item in node.items):
+    if all(isinstance(item, ScalarNode) for item in node.items):
         value = parse_value(node, context)
         assert isinstance(value, ListValue)
         return ListContent(value, node.span())

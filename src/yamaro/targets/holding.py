@@ -15,7 +15,16 @@ from functools import cache
 
 from ..model.extras import CAMERAS, Ranger
 from ..model.joint import SINGLE, UNLIMITED
-from ..model.schema import ACTUATOR, COLLISIONS, CONTROL, ELEMENTS, GROUP, MOMENTS
+from ..model.schema import (
+    ACTUATOR,
+    COLLISIONS,
+    CONTROL,
+    CONTROLLER,
+    CONTROLLERS,
+    ELEMENTS,
+    GROUP,
+    MOMENTS,
+)
 from .gains import EFFORT, VELOCITY
 from .losses import APPROXIMATED, LOST, Losses
 from .table import TARGETS
@@ -65,6 +74,7 @@ def _partly(kind: str, what: str) -> Missing:
 
 
 SRDF_HINT = "--to srdf writes them"
+CONTROLLERS_HINT = "--to controllers writes them"
 GEAR_HINT = "`transmissions: true` in the section `control` writes them"
 _SENSORS = _partly(APPROXIMATED, "sensors")
 _NO_SURFACE = _partly(LOST, "surfaces")
@@ -75,6 +85,8 @@ _TOPICS = _lost("topics of sensors")
 _GROUPS = _lost("groups", SRDF_HINT)
 _COLLISIONS = _lost("`collisions` sections", SRDF_HINT)
 _CONTROLS = _lost("blocks of ros2_control")
+_CONTROLLERS = _lost("controllers", CONTROLLERS_HINT)
+_MANAGERS = _lost("settings of the controller manager", CONTROLLERS_HINT)
 _GAINS = _lost("gains of actuators", GEAR_HINT)
 _ARMATURES = _lost("armatures of actuators", GEAR_HINT)
 _LINES = _lost("torque-speed lines of motors")
@@ -217,6 +229,8 @@ ROWS: dict[str, tuple[Cell, Cell, Cell, Cell]] = {
         f"control.{name}": ("ros2_control", _CONTROLS, _CONTROLS, _CONTROLS)
         for name in CONTROL.fields
     },
+    **{f"controllers.{name}": (_MANAGERS,) * 4 for name in CONTROLLERS.fields},
+    **{f"controller.{name}": (_CONTROLLERS,) * 4 for name in CONTROLLER.fields},
 }
 """The rows by `thing.field`."""
 
@@ -261,6 +275,11 @@ def lost_sections(
         found.lose("states", state, hint=SRDF_HINT)
     for group in robot.groups.values():
         found.lose("groups", group, hint=SRDF_HINT)
+    for controller in robot.controllers.values():
+        found.lose(_CONTROLLERS.what, controller, hint=CONTROLLERS_HINT)
+    if robot.controller_manager is not None:
+        manager = robot.controller_manager
+        found.lose(_MANAGERS.what, manager, label="the robot", hint=CONTROLLERS_HINT)
     if robot.collision_settings is not None:
         what, settings = "`collisions` sections", robot.collision_settings
         found.lose(what, settings, label="the robot", hint=SRDF_HINT)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import ACCEPTED, WARNING, Diagnostic
+from ..model.controllers import Controller
 from ..model.extras import Actuator, Group, Loop, Sensor, State, Surface
 from ..model.joint import Joint
 from ..model.link import Link
@@ -151,7 +152,7 @@ def label_of(owner: Owner) -> str:
             return f"joint '{owner.joint}'"
         case Surface():
             return f"link '{owner.link}'"
-        case Link() | Joint() | Sensor() | State() | Loop() | Group():
+        case Link() | Joint() | Sensor() | State() | Loop() | Group() | Controller():
             return f"{type(owner).__name__.lower()} '{owner.name}'"
     raise AssertionError(f"{type(owner).__name__} has no name")
 

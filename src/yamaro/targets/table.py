@@ -38,7 +38,8 @@ class Target:
             is quick to write: `yamaro why` looks at these.
         run: the format for which the file is run: another one that it belongs to, or its own.
         versions: those that can be asked for, the default first.
-        beside: the names of files beside the document that are not in `FOLDER`.
+        beside: the names of files beside the document that are not in `FOLDER`; in a folder, those
+            that begin with a dot.
         library: what it needs that is not always installed.
         extra: the extra that has it, by default the one of its name.
         endings: those of file names that promise this format.
@@ -100,7 +101,7 @@ class Target:
     def may_hold(self, name: str) -> bool:
         """Return whether a file beside a document, or in the folder of this format, can be it."""
         if self.is_folder:
-            return all(map(is_file_stem, name.split("/")))
+            return name in self.beside or all(map(is_file_stem, name.split("/")))
         return name in self.beside or name.startswith(f"{FOLDER}/")
 
     def missing(self, span: Span) -> YamaroError:
@@ -181,6 +182,23 @@ TARGETS = {
             run="usd",
             library="the library usd-core",
             extra="usd",
+        ),
+        Target(
+            "controllers",
+            "the file of controllers",
+            "_controllers.yaml",
+            comment="# {}",
+            run="urdf",
+        ),
+        Target(
+            "moveit",
+            "a MoveIt configuration",
+            "_moveit_config",
+            is_folder=True,
+            run="urdf",
+            beside=(".setup_assistant",),
+            library="pinocchio and coal, which find the links that never touch",
+            extra="srdf",
         ),
     )
 }

@@ -19,7 +19,7 @@ _REFERS = re.compile(
 """Tags and attributes that name links and joints, in extensions of URDF that are in no schema."""
 _DEVICES = (
     *("transmission", "actuator", "sensor", "ros2_control", "gpio"),
-    *("robot-group", "robot-loop"),
+    *("robot-group", "robot-loop", "robot-controller"),
 )
 """What else is named once in a robot, whatever it is in."""
 _REFERS_TO_DEVICE = re.compile("transmission|actuator|sensor|gpio", re.IGNORECASE)

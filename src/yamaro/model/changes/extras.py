@@ -45,11 +45,17 @@ def compare_extras(comparing: Comparing) -> None:
     )
     _compare_named("state", first.states, second.states, _compare_states, comparing)
     _compare_named("group", first.groups, second.groups, _compare_groups, comparing)
+    _compare_named(
+        "controller", first.controllers, second.controllers, _compare_controllers, comparing
+    )
     _compare_named("loop", first.loops, second.loops, _compare_loops, comparing)
     places = (comparing.first.span, comparing.second.span)
     owner = Owner("robot", comparing.first.name, new_name=None, places=places)
     bases = [each.base and each.base.type for each in (first, second)]
     comparing.text(owner, "base", bases)
+    managers = [each.controller_manager for each in (first, second)]
+    settings = [each and {"distro": each.distro, **each.parameters} for each in managers]
+    comparing.text(owner, "controllers", settings)
     one, other = first.collision_settings, second.collision_settings
     if one is None or other is None:
         if one is not other:
@@ -70,6 +76,7 @@ def extras_held(robot: Robot) -> list[str]:
         "surface": len(noted.surfaces),
         "state": len(noted.states),
         "group": len(noted.groups),
+        "controller": len(noted.controllers),
         "loop": len(noted.loops),
     }
     return [f"{n} {word}{'s' if n > 1 else ''}" for word, n in counts.items() if n]
@@ -179,6 +186,27 @@ def _compare_groups(one: object, other: object, owner: Owner, comparing: Compari
     comparing.named(owner, "parent", parents, comparing.link)
     ends = [bool(getattr(each, "is_end_effector", False)) for each in (one, other)]
     comparing.text(owner, "is_end_effector", ends)
+    solvers = [getattr(each, "kinematics", None) or None for each in (one, other)]
+    comparing.text(owner, "kinematics", solvers)
+
+
+def _compare_controllers(one: object, other: object, owner: Owner, comparing: Comparing) -> None:
+    comparing.text(owner, "type", [getattr(each, "type", None) for each in (one, other)])
+    comparing.text(owner, "group", [getattr(each, "group", None) for each in (one, other)])
+    joints = [comparing.joint(name) for name in getattr(one, "joints", ())]
+    comparing.text(owner, "joints", (joints, [*getattr(other, "joints", ())]))
+    first, second = (getattr(each, "parameters", {}) for each in (one, other))
+    for name in dict.fromkeys((*first, *second)):
+        before, after = first.get(name), second.get(name)
+        values = [
+            comparing.joint(each) if isinstance(each, str) else each for each in _list(before)
+        ]
+        if values != _list(after):
+            comparing.change(owner, name, before, after)
+
+
+def _list(value: object) -> list[object]:
+    return [*value] if isinstance(value, list) else [value]
 
 
 def _compare_loops(one: object, other: object, owner: Owner, comparing: Comparing) -> None:

@@ -119,6 +119,7 @@ HEADINGS = {
     "surface": "surfaces",
     "state": "states",
     "group": "groups",
+    "controller": "controllers",
     "loop": "loops",
     "collisions": "collisions",
     "element": "other elements",

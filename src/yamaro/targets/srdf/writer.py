@@ -5,13 +5,13 @@ from __future__ import annotations
 from ...diagnostics import Diagnostic, YamaroError
 from ...model.kinematics import WORLD
 from ..elements import element
+from ..groups import joints_of
 from ..losses import Losses
 from ..output import Output
 from .pairs import disabled_pairs
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ...model.extras import Group
     from ...model.robot import Robot
     from ...xml.tree import Element
     from ..elements import Attributes
@@ -89,30 +89,9 @@ def _refuse_without_collisions(robot: Robot) -> None:
 # --- groups -----------------------------------------------------------------------------------
 
 
-def joints_of(robot: Robot, group: Group, *, seen: frozenset[str] = frozenset()) -> set[str]:
-    """Return the names of the joints in a group: of its chains, links, joints and groups."""
-    found = set(group.joints)
-    above = (robot.parent_joint(link) for link in group.links)
-    found |= {joint.name for joint in above if joint is not None}
-    for base, tip in group.chains:
-        link = tip
-        while link != base:
-            joint = robot.parent_joint(link)
-            if joint is None:
-                break
-            found.add(joint.name)
-            link = joint.parent
-    seen |= {group.name}
-    for name in group.groups:
-        inner = robot.groups.get(name)
-        if inner is not None and name not in seen:
-            found |= joints_of(robot, inner, seen=seen)
-    return found - {""}
-
-
 def _states(robot: Robot, losses: Losses) -> list[Element]:
     """Return each state for each group that it says something of."""
-    members = {name: joints_of(robot, group) for name, group in robot.groups.items()}
+    members = {name: {*joints_of(robot, group)} for name, group in robot.groups.items()}
     found = []
     for state in robot.states.values():
         left = set(state.positions)

@@ -11,6 +11,7 @@ import os
 import re
 
 from ...diagnostics import Reporter
+from ...model.controllers import known_type
 from ...model.schema import ELEMENTS, RECORDS
 from ...model.shapes import SIZES
 from ...sandbox.deep_stack import run_on_deep_stack
@@ -56,8 +57,8 @@ _VALUE, _ENUM, _KEYWORD, _SNIPPET, _FILE, _REFERENCE = 12, 13, 14, 15, 17, 18
 _FOLDER, _CONSTANT = 19, 21
 _WITH_BODY = frozenset(
     "model variables functions arguments part joint link visual collision inertial material frame "
-    "sensor actuator surface attach mirror loop control states groups collisions naming body else "
-    "input".split()
+    "sensor actuator surface attach mirror loop control controllers states groups collisions "
+    "naming body else input".split()
 ).union(name for name in RECORDS if ELEMENTS[name].scalar is None)
 _SNIPPETS = {
     ("statement", "part"): "part:\n    name: ${1:name}\n    joint: {type: ${2:fixed}, "
@@ -486,6 +487,11 @@ class Completion:
             items.add_elements(place.element)
         else:
             items.add_words(place.name, present)
+        if place.name == "controller":
+            for key, value in pairs:
+                known = known_type(value.text) if isinstance(value, ScalarNode) else None
+                if key.text == "type" and known is not None:
+                    items.add_words(f"controller {known.word}", present)
         if place.name in CONTENTS or place.name == XML:
             if place.name != ROOT:
                 items.add_words("statement", ())

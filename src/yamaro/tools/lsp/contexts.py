@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...model.controllers import MANAGER, SOLVERS, TYPES
 from ...model.quantities import described, unit_of
 from ...model.schema import AXES, ELEMENTS, MOMENTS, OF_MOTOR, RECORDS, SENSOR, SENSORS, WORDS
 from ...model.shapes import SIMPLE_SHAPES
@@ -120,6 +121,7 @@ _OF_ROOT = {
     "model": BODY,
     "naming": "naming",
     "control": "control",
+    "controllers": "controllers",
     "states": DATA,
     "groups": "groups",
     "collisions": "collisions",
@@ -139,6 +141,7 @@ _INNER = {
     "mirror": {"body": BODY, "rename": DATA, "meshes": DATA},
     "include": {"arguments": DATA},
     "groups": {},
+    "controllers": {},
     "argument": {},
     "control": {"params": DATA, "gpio": DATA},
 }
@@ -154,7 +157,13 @@ _STATEMENTS = {
     "process": VALUE,
 }
 _TRANSPARENT = ("if", "elif", "else", "for")
-_NAMED = {"arguments": "argument", "groups": "group", "functions": "function", "variables": VALUE}
+_NAMED = {
+    "arguments": "argument",
+    "controllers": "controller",
+    "groups": "group",
+    "functions": "function",
+    "variables": VALUE,
+}
 CONTENTS = frozenset((ROOT, BODY, ANY, "part", "joint", "link", "visual", "collision", "inertial"))
 """Places in which statements may be."""
 
@@ -228,7 +237,7 @@ def _inner(name: str, word: str, key: str) -> Place:
         place = Place("call")
         place.call = key.strip()
         return place
-    if name in (DATA, VALUE):
+    if name in (DATA, VALUE, "controller", "group"):
         return Place(DATA)
     return Place(BODY) if name == ROOT else _element(word)
 
@@ -291,6 +300,22 @@ def _of_sensors() -> dict[str, str]:
 MANUAL: dict[str, dict[str, str]] = {
     **{name: _fields(ELEMENTS[name]) for name in RECORDS if name != "axis"},
     **{name: _fields(thing) for name, thing in WORDS.items()},
+    "controllers": {
+        **_fields(WORDS["controllers"]),
+        **{
+            name: "a parameter of the controller manager"
+            for name in MANAGER
+            if name not in WORDS["controllers"].fields
+        },
+    },
+    **{
+        f"controller {each.word}": {
+            name: f"a parameter of {each.plugin.partition('/')[2]}"
+            for name in each.parameters
+            if name not in WORDS["controller"].fields
+        }
+        for each in TYPES.values()
+    },
     "motor": {name: text for name, text in _fields(WORDS["actuator"]).items() if name in OF_MOTOR},
     "root": {
         "robot": "names the robot; the default is the name of the file",
@@ -301,6 +326,7 @@ MANUAL: dict[str, dict[str, str]] = {
         "model": "the content of the robot: parts, elements and statements",
         "naming": "how the joint and the link of a part are named",
         "control": "the hardware for ros2_control",
+        "controllers": "the controllers of ros2_control: `arm: {type: joint_trajectory}`",
         "states": "named positions of joints",
         "groups": "named groups of links and joints, for planning",
         "collisions": "how the pairs of links that never collide are found",
@@ -449,6 +475,8 @@ VALUES: dict[tuple[str, str], tuple[str, ...]] = {
         if field.choices
     },
     ("actuator", "motor"): tuple(MOTORS),
+    ("controller", "type"): tuple(TYPES),
+    ("group", "kinematics"): tuple(SOLVERS),
     ("joint", "axis"): AXES,
     ("loop", "axis"): AXES,
     **{(place, "geometry"): _SHAPES for place in ("link", "visual", "collision", "inertial")},

@@ -148,7 +148,7 @@ class Parts:
             word == "mimic"
             or (word == "joint" and above == "mimic")
             or (word == "parent" and path[:1] == ["groups"])
-            or (word == "joints" and path[:1] == ["control"])
+            or (word == "joints" and path[:1] in (["control"], ["controllers"]))
             or _SCALARS.get(word) == above
         )
         if isinstance(value, ScalarNode) and is_reference:
