@@ -52,7 +52,7 @@ class Principal:
         self.is_changed = is_changed
 
 
-def _matrix(moments: Vector, turn: Rotation) -> Rotation:
+def turned_moments(moments: Vector, turn: Rotation) -> Rotation:
     """Return the matrix of moments along the axes that a rotation gives: R·diag(moments)·Rᵀ."""
     x, y, z = ((a * moments[0], b * moments[1], c * moments[2]) for a, b, c in turn)
     return multiply((x, y, z), transposed(turn))
@@ -110,7 +110,10 @@ class Inertias:
             self.losses.approximate(what, link, part=link.inertial, how=how)
             turn = multiply(bodies.poses[name].rotation, own.pose.rotation)
             body = self.by_link[carrier]
-            matrices = _matrix(body.moments, body.pose.rotation), _matrix(own.moments, turn)
+            matrices = (
+                turned_moments(body.moments, body.pose.rotation),
+                turned_moments(own.moments, turn),
+            )
             x, y, z = (
                 (one[0] + other[0], one[1] + other[1], one[2] + other[2])
                 for one, other in zip(*matrices, strict=True)

@@ -352,7 +352,7 @@ class Builder:
         if name != wanted:
             self.keep(name, setting("name", site.name, site.span))
         if any(attribute != "name" for attribute in element.attributes):
-            element.attributes["name"] = name
+            element.attributes["name"] = site.name or name
             self.keep(body.name, element)
 
     def add_fixed(self, thing: Thing, name: str, parent: str, child: str, pose: Pose) -> None:

@@ -476,6 +476,8 @@ class Looks:
                 "file": file,
                 "scale": mesh.scale if mesh.scale != (1.0, 1.0, 1.0) else None,
             }
+            if self._writing.blocks.is_whole and is_flat(points_of(part)):
+                attributes["inertia"] = "shell"
             made = element("mesh", attributes, owner=link, part=shape, places=places)
             self._writing.add("asset", made)
         return self._meshes[key]

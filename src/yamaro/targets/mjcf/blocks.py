@@ -112,6 +112,15 @@ class Blocks:
         """Return whether a block says of a link what only a body has."""
         return not OF_BODIES.isdisjoint(self.settings("link", link))
 
+    def is_aligned(self, link: str) -> bool:
+        """Return whether MuJoCo aligns the frame of a free body with its principal axes."""
+        free = (e for e in self.elements("link", link) if e.name in ("joint", "freejoint"))
+        said = next((attribute_text(each, "align") for each in free), None)
+        if said in ("true", "false"):
+            return said == "true"
+        compilers = (each for each in self.sections if each.name == "compiler")
+        return any(attribute_text(each, "alignfree") == "true" for each in compilers)
+
     def is_plain(self, link: str) -> bool:
         """Return whether no block says anything of a link."""
         return not self.settings("link", link) and not self.elements("link", link)
@@ -174,8 +183,13 @@ def merge(own: Element, given: Element) -> None:
     own.value_spans = spans
     inner = {child.name: child for child in own.elements()}
     for child in given.elements():
-        if own.name in SINGLES and child.name in inner:
-            merge(inner[child.name], child)
+        if own.name in SINGLES:
+            known = inner.get(child.name)
+            if known is None:
+                known = inner[child.name] = changed(child, child.attributes)
+                own.children.append(known)
+            else:
+                merge(known, child)
         else:
             own.children.append(child)
 

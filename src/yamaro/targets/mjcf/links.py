@@ -5,7 +5,7 @@ from __future__ import annotations
 from ...model.kinematics import WORLD, link_poses
 from ...xml.tree import Element
 from ..elements import element, number, row
-from ..inertia import written_moments
+from ..inertia import turned_moments, written_moments
 from .blocks import ANCHOR
 from .joints import add_joints
 from .model import JOINT, Writing, pose_attributes, stem_of
@@ -136,10 +136,18 @@ def inertial_of(writing: Writing, link: Link) -> Element | None:
         places["diaginertia"] = inertia.span
     if origin is not None:
         places |= {"pos": origin.value_span("xyz"), "quat": origin.value_span("rpy")}
-    attributes: Attributes = {
-        "pos": pose["pos"] or "0 0 0",
-        "quat": pose["quat"],
-        "mass": principal.mass,
-        "diaginertia": written_moments(principal.moments),
-    }
+    attributes: Attributes = {"pos": pose["pos"] or "0 0 0", "mass": principal.mass}
+    if writing.blocks.is_aligned(link.name):
+        # MuJoCo turns the body to principal axes, in an order of its own.
+        (xx, xy, xz), (_, yy, yz), (_, _, zz) = turned_moments(
+            principal.moments, principal.pose.rotation
+        )
+        attributes["fullinertia"] = (xx, yy, zz, xy, xz, yz)
+    else:
+        attributes = {
+            "pos": attributes["pos"],
+            "quat": pose["quat"],
+            "mass": principal.mass,
+            "diaginertia": written_moments(principal.moments),
+        }
     return element("inertial", attributes, owner=link, part=inertial, places=places)

@@ -55,7 +55,8 @@ def modelled(robot: Robot, wanted: Wanted) -> tuple[Writing, list[Element]]:
     add_geoms(writing, Looks(writing))
     bounded = add_actuators(writing)
     add_sensors(writing)
-    put_on_floor(writing)
+    if not writing.blocks.is_whole:
+        put_on_floor(writing)
     add_excludes(writing)
     add_mimics(writing)
     add_loops(writing)
@@ -104,7 +105,8 @@ def head(writing: Writing) -> list[Element]:
         classes.frame: element("site", {"group": SITE_GROUP, "size": SITE_SIZE}),
     }
     of_model, is_whole = [], writing.blocks.is_whole
-    if any(each.name == "mesh" for each in writing.sections["asset"].elements()):
+    has_meshes = any(each.name == "mesh" for each in writing.sections["asset"].elements())
+    if has_meshes and not is_whole:
         of_model.append(element("mesh", {"inertia": "shell"}))
     if writing.sections["equality"].children and not is_whole:
         of_model.append(element("equality", STIFF))
@@ -237,9 +239,9 @@ def _merge_sections(writing: Writing) -> list[Element]:
         if given.name in SINGLES:
             own = next((each for each in top if each.name == given.name), None)
             if own is None:
-                top.append(changed(given, given.attributes))
-            else:
-                merge(own, given)
+                own = given.with_children([])
+                top.append(own)
+            merge(own, given)
         elif own is None:
             top.append(given)
         else:
