@@ -14,6 +14,8 @@ from pxr import Sdf, Usd, UsdGeom, UsdPhysics, UsdShade
 
 from .feature import Key
 
+IN_RAYS = ("samples", "min_angle", "max_angle", "min", "max")
+"""What the directions of rays and their ranges hold of Gazebo's sensors."""
 ROUND = {"Sphere": ("radius",), "Cylinder": ("radius", "height"), "Capsule": ("radius", "height")}
 """The sizes of shapes, in the order in which URDF has them; a box is a scaled cube."""
 
@@ -39,6 +41,19 @@ def read(text: str, own: Mapping[str, str]) -> Iterator[Key]:
             yield ("sensor", name)
             for each in ("horizontal_fov", "near", "far", "pose", "always_on"):
                 yield ("in sensor", name, each)
+        elif prim.GetTypeName() == "RenderProduct":
+            (camera,) = prim.GetRelationship("camera").GetTargets()
+            for each in ("width", "height"):
+                yield ("in sensor", own.get(camera.name, camera.name), each)
+        elif prim.GetTypeName().startswith("Isaac"):
+            yield ("sensor", name)
+            for each in ("pose", "always_on"):
+                yield ("in sensor", name, each)
+            if prim.HasAttribute("sensorPeriod"):
+                yield ("in sensor", name, "update_rate")
+            for key in IN_RAYS if prim.HasAttribute("rayDirections") else ():
+                yield ("in sensor", name, key)
+                yield ("in sensor", name, key)  # rays are in two directions
         elif prim.GetTypeName() == "NewtonActuator":  # in place of a drive
             (joint,) = prim.GetRelationship("newton:targets").GetTargets()
             yield ("actuated", own.get(joint.name, joint.name))

@@ -93,8 +93,6 @@ _LINES = _lost("torque-speed lines of motors")
 _SOME_LINES = _partly(LOST, "torque-speed lines of motors")
 _DELAYS = _lost("delays of actuators")
 _CONES = _partly(APPROXIMATED, "cones of range sensors")
-_LIDARS = _lost("lidar sensors")
-_RANGES = _lost("range sensors")
 
 ROWS: dict[str, tuple[Cell, Cell, Cell, Cell]] = {
     # field: URDF, SDF, MJCF, USD
@@ -194,20 +192,20 @@ ROWS: dict[str, tuple[Cell, Cell, Cell, Cell]] = {
         "newton:contactDamping",
     ),
     "sensor.type": (_SENSORS, "type", "sensor", _partly(LOST, "sensors")),
-    "sensor.rate": (_SENSORS, "update_rate", _RATES, _RATES),
+    "sensor.rate": (_SENSORS, "update_rate", _RATES, _partly(LOST, "rates of sensors")),
     "sensor.noise": (
         *(_SENSORS, _partly(LOST, "noise of contact sensors")),
-        *(_partly(LOST, "noise of cameras"), _partly(LOST, "noise of cameras")),
+        *(_partly(LOST, "noise of cameras"), _partly(LOST, "noise of sensors")),
     ),
     "sensor.topic": (_SENSORS, "topic", _TOPICS, _TOPICS),
-    "lidar.rays": (_SENSORS, "samples", "rangefinder", _LIDARS),
-    "lidar.angle": (_SENSORS, "min_angle", "rangefinder", _LIDARS),
-    "lidar.range": (_SENSORS, "min", "cutoff", _LIDARS),
-    "lidar.rows": (_SENSORS, "samples", "rangefinder", _LIDARS),
-    "lidar.tilt": (_SENSORS, "min_angle", "rangefinder", _LIDARS),
+    "lidar.rays": (_SENSORS, "samples", "rangefinder", "rayDirections"),
+    "lidar.angle": (_SENSORS, "min_angle", "rangefinder", "rayDirections"),
+    "lidar.range": (_SENSORS, "min", "cutoff", "maxRange"),
+    "lidar.rows": (_SENSORS, "samples", "rangefinder", "rayDirections"),
+    "lidar.tilt": (_SENSORS, "min_angle", "rangefinder", "rayDirections"),
     **dict.fromkeys(
         ("camera.size", "depth_camera.size"),
-        (_SENSORS, "width", "resolution", _lost("sizes of cameras in pixels")),
+        (_SENSORS, "width", "resolution", "resolution"),
     ),
     **dict.fromkeys(
         ("camera.fov", "depth_camera.fov"),
@@ -217,8 +215,8 @@ ROWS: dict[str, tuple[Cell, Cell, Cell, Cell]] = {
         ("camera.clip", "depth_camera.clip"),
         (_SENSORS, "near", _lost("clip distances of cameras"), "clippingRange"),
     ),
-    "range.range": (_SENSORS, "min", "cutoff", _RANGES),
-    "range.fov": (_SENSORS, _CONES, _CONES, _RANGES),
+    "range.range": (_SENSORS, "min", "cutoff", "maxRange"),
+    "range.fov": (_SENSORS, _CONES, _CONES, _CONES),
     **{
         f"loop.{name}": (_lost("loops"), _partly(APPROXIMATED, "loops"), "equality", "joint")
         for name in ("name", "type", "between", "axis")

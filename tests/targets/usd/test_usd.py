@@ -274,12 +274,11 @@ def test_a_position_actuator_without_gains_is_exact(tmp_path: Path) -> None:
 
 
 def test_what_usd_cannot_hold_is_reported(tmp_path: Path) -> None:
-    _, build = stage_of(ARM, tmp_path)
+    _, build = stage_of(ARM.replace("clip: 0.1 10", "clip: 0.1 10, topic: image"), tmp_path)
     found = {(loss.kind, loss.what, loss.owner) for loss in build.losses}
     assert found == {
         ("renamed", "robots", "robot 'my arm'"),
-        ("lost", "imu sensors", "sensor 'imu'"),
-        ("lost", "sizes of cameras in pixels", "sensor 'eye'"),
+        ("lost", "topics of sensors", "sensor 'eye'"),
     }
 
 
@@ -437,3 +436,70 @@ def test_the_file_has_the_metadata_that_follow_from_the_robot(tmp_path: Path) ->
     # Only the base is seen: a box.
     assert list(data["asset_extents"]) == pytest.approx([0.2, 0.2, 0.1])
     assert Usd.ModelAPI(stage.GetDefaultPrim()).GetKind() == "component"
+
+
+SENSORS = """
+robot: seer
+base: free
+model:
+- part:
+    name: base
+    link:
+      geometry: box
+      size: 0.2 0.2 0.1
+      mass: 4
+      collision:
+      sensor/name=imu: {type: imu, rate: 200 Hz, noise: 0.01}
+      sensor/name=scan: {type: lidar, rays: 3, rows: 2, angle: 90deg, tilt: 20deg, range: 0.2 12}
+      sensor/name=near: {type: range, range: 0.03 2, fov: 5deg}
+      sensor/name=bump: {type: contact}
+      sensor/name=eye: {type: camera, size: 320 240, rate: 30 Hz}
+      sensor/name=depth: {type: depth_camera, size: 64 48}
+      sensor/name=fix: {type: gps}
+"""
+
+
+def test_sensors_are_those_of_isaac_sim(tmp_path: Path) -> None:
+    stage, build = stage_of(SENSORS, tmp_path)
+
+    def prim(name: str) -> Any:
+        return stage.GetPrimAtPath(f"/seer/base_link/{name}/{name}")
+
+    assert prim("imu").GetTypeName() == "IsaacImuSensor"
+    assert prim("imu").GetAttribute("sensorPeriod").Get() == pytest.approx(0.005)
+    assert prim("bump").GetTypeName() == "IsaacContactSensor"
+    body = stage.GetPrimAtPath("/seer/base_link").GetPrimTypeInfo().GetAppliedAPISchemas()
+    assert "PhysxContactReportAPI" in body
+    scan = prim("scan")
+    assert scan.GetTypeName() == "IsaacRaycastSensor"
+    assert scan.GetAttribute("numRays").Get() == 6
+    limits = [scan.GetAttribute(f"{name}Range").Get() for name in ("min", "max")]
+    assert limits == pytest.approx([0.2, 12])
+    ways = np.array(scan.GetAttribute("rayDirections").Get(), float)
+    assert len(scan.GetAttribute("rayOrigins").Get()) == 6
+    around = np.degrees(np.arctan2(ways[:, 1], ways[:, 0]))
+    above = np.degrees(np.arcsin(ways[:, 2]))
+    assert around == pytest.approx([-45, 0, 45] * 2, abs=1e-4)
+    assert above == pytest.approx([-10] * 3 + [10] * 3, abs=1e-4)
+    assert [tuple(way) for way in prim("near").GetAttribute("rayDirections").Get()] == [(1, 0, 0)]
+    told = {(loss.kind, loss.what, loss.owner) for loss in build.losses}
+    assert told == {
+        ("lost", "noise of sensors", "sensor 'imu'"),
+        ("approximated", "cones of range sensors", "sensor 'near'"),
+        ("approximated", "contact sensors", "sensor 'bump'"),
+        ("lost", "rates of cameras", "sensor 'eye'"),
+        ("lost", "gps sensors", "sensor 'fix'"),
+    }
+
+
+def test_cameras_render_images_of_their_size(tmp_path: Path) -> None:
+    from pxr import UsdRender
+
+    stage, _ = stage_of(SENSORS, tmp_path)
+    for name, size, data in (("eye", (320, 240), "color3f"), ("depth", (64, 48), "float")):
+        product = UsdRender.Product(stage.GetPrimAtPath(f"/seer/renders/{name}"))
+        assert product.GetResolutionAttr().Get() == size
+        (camera,) = product.GetCameraRel().GetTargets()
+        assert stage.GetPrimAtPath(camera).GetTypeName() == "Camera"
+        (image,) = product.GetOrderedVarsRel().GetTargets()
+        assert UsdRender.Var(stage.GetPrimAtPath(image)).GetDataTypeAttr().Get() == data

@@ -19,7 +19,7 @@ from ..output import Output
 from .control import ACTUATORS, VARIANTS
 from .joints import JointWriter
 from .prims import NEWTON_SCHEMAS, Names, element_of, place, quaternion_of
-from .sensors import add_cameras
+from .sensors import SensorWriter
 from .shapes import ShapeWriter
 
 if TYPE_CHECKING:
@@ -135,7 +135,9 @@ class _Model:
         joints = JointWriter(self.stage, robot, bodies, paths, names, self.root, is_fixed=is_fixed)
         joints.write()
         self.elements += joints.elements
-        add_cameras(self.stage, robot, self._paths, self.names, self.losses)
+        sensors = SensorWriter(self.stage, robot, bodies, paths, names, self.root)
+        sensors.write()
+        self.losses += sensors.losses
         self.files = self._shapes.files
         self.losses += self._shapes.losses
         self.losses += joints.losses
