@@ -92,3 +92,11 @@ def test_a_text_is_no_word(word: str) -> None:
     with pytest.raises(yamaro.YamaroError) as caught:
         yamaro.build("crane.yaml", text=text)
     assert {each.code for each in caught.value.diagnostics} == {"not-a-body"}
+
+
+def test_blocks_of_one_section_are_one() -> None:
+    text = CRANE.replace("mjcf: $(rubber)", "mjcf: {condim: 1}, Firm: ")
+    text = text.replace("model:", "functions:\n  Firm():\n    mjcf: {priority: 2}\nmodel:")
+    notes = yamaro.build("crane.yaml", text=text, target="mjcf").notes
+    geoms = [what(each) for note in notes if note.name == "raw-block" for each in note.elements()]
+    assert ("geom", {"name": "foot", "condim": "1", "priority": "2"}, "", []) in geoms

@@ -343,14 +343,18 @@ def _without_blocks(owner: Element, notes: list[Element]) -> Element:
         if isinstance(child, Element) and child.name in ("visual", "collision"):
             blocks = [each for each in child.children if isinstance(each, RawBlock)]
             if blocks:
-                notes += [_note(_of_section(child, block), home, trace) for block in blocks]
+                for name in dict.fromkeys(block.name for block in blocks):
+                    own = [block for block in blocks if block.name == name]
+                    inner = [each for block in own for each in block.children]
+                    whole = own[0].with_children(inner)
+                    notes.append(_note(_of_section(child, whole), home, trace))
                 rest = [each for each in child.children if not isinstance(each, RawBlock)]
                 child = child.with_children(rest)
         children.append(child)
     return owner if children == owner.children else owner.with_children(children)
 
 
-def _of_section(section: Element, block: RawBlock) -> RawBlock:
+def _of_section(section: Element, block: Element) -> RawBlock:
     """Return a block in a visual or collision as one of the link, which names the section.
 
     MJCF, whose elements hold no text, has an entry with a text as an attribute of the geom.

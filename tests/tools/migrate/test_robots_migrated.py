@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from math import pi
 from pathlib import Path
 
 import pytest
@@ -178,6 +179,25 @@ def test_files_are_found_from_where_the_yaml_is(dog: Path, tmp_path: Path) -> No
     moved = migration_of(dog, other)
     assert moved.differences == []
     assert "../../assets/cube.obj" in moved.text
+
+
+def test_angles_that_a_mirror_takes_from_half_a_turn_are_one_number(tmp_path: Path) -> None:
+    """A principal axis of inertia at roll r in one limb is at π - r in its mirror image."""
+    limb = (
+        '<body name="{0}_arm" pos="0 {1} 0"><joint name="{0}_joint" range="{2}"/>'
+        '<inertial pos="0 {1} 0" mass="1" diaginertia="3 2 2.5" euler="{3} 0 0"/>'
+        '<geom name="{0}_a" size="0.1" pos="1 {1} 0"/><geom name="{0}_b" size="0.2"/></body>'
+    )
+    path = tmp_path / "twins.xml"
+    limbs = limb.format("left", "0.5", "-1 2", 0.7) + limb.format("right", "-0.5", "-2 1", pi - 0.7)
+    path.write_text(
+        '<mujoco><compiler angle="radian"/><worldbody><body name="trunk"><freejoint/>'
+        f'<geom size="0.3"/>{limbs}</body></worldbody></mujoco>'
+    )
+    migration = migration_of(path)
+    assert migration.differences == []
+    assert "rpy: $(pi / 2 - 0.870796326794897 * left) 0 0" in migration.text
+    assert "- Arm: {side: left, left: 1, lower: -1, upper: 2}" in migration.text
 
 
 # --- the command ----------------------------------------------------------------------------------

@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import builtins
 import re
-from math import isclose
+from math import isclose, pi
 
 from ...model.compare import NEGLIGIBLE, TOLERANCE
 from ...runtime.predefined import CONSTANTS
 from ...syntax.names import is_identifier
+from ...xml.values import format_number
 from .document import RECORD_WIDTH, Body, Entry, Row, element_key, joined
 
 TYPE_CHECKING = False
@@ -21,7 +22,9 @@ if TYPE_CHECKING:
 
     from .document import Value
 
-MOST_PARAMETERS = 8
+MOST_PARAMETERS = 16
+FEW_PARAMETERS, LINES_FOR_ONE = 4, 5
+"""Parameters that any function may have; with more, the lines that each has to be worth."""
 LEAST_SAVED = 3
 """Lines that a function has to save."""
 _WORDS = re.compile(r"[^\W\d_]+|\d+|[\W_]+")
@@ -258,22 +261,28 @@ class _Alike:
         """Return what to call the function."""
         return self._name
 
+    @property
+    def own_name(self) -> str:
+        """Return what to call the function after the words that the limbs' first names share."""
+        split = [_WORDS.findall(_first_name(limb[0])) for limb in self._limbs]
+        common = [word for word in split[0] if all(word in other for other in split)]
+        words = [word for word in common if word.isalpha() and word.isascii()]
+        return "".join(word[:1].upper() + word[1:] for word in words)
+
     def _called(self, rows: list[list[tuple[int, str, str]]]) -> str:
         if len(self._limbs[0]) > 1:
-            names = " ".join(text for _, key, text in rows[0] if key == "name").lower()
-            words = set(_WORDS.findall(names))
-            for name, known in _LIMBS:
-                if not words.isdisjoint(known):
-                    return name
-        limbs = [_first_name(limb[0]) for limb in self._limbs]
-        split = [_WORDS.findall(name) for name in limbs]
-        common = [word for word in split[0] if all(word in other for other in split)]
-        words_in = [word for word in common if word.isalpha() and word.isascii()]
-        return "".join(word[:1].upper() + word[1:] for word in words_in) or "Limb"
+            for text in (text for _, key, text in rows[0] if key == "name"):
+                words = set(_WORDS.findall(text.lower()))
+                for name, known in _LIMBS:
+                    if not words.isdisjoint(known):
+                        return name
+        return self.own_name or "Limb"
 
     def saved(self) -> int:
         """Return how many lines a function saves."""
         lines = sum(_lines(entry) for entry in self._limbs[0])
+        if len(self.parameters) > max(FEW_PARAMETERS, lines // LINES_FOR_ONE):
+            return 0
         calls = 1 + len(self.parameters) // 5
         return (len(self._limbs) - 1) * lines - len(self._limbs) * calls - 3
 
@@ -325,12 +334,11 @@ class _Alike:
             if any("$(" in text for text in key):
                 raise _NotAlike
             stem = {"geometry": "mesh", "name": "name"}.get(hole.key, hole.key)
-            if stem in self.parameters or stem == "name":
+            if len(self._limbs[0]) > 1 or stem in self.parameters or stem == "name":
                 own = _WORDS.findall(_first_name(self._limbs[0][hole.part]))
-                common = [word for word in own if (word,) * len(key) not in self._words]
-                letters = [word for word in common if word.isalpha() and word.isascii()]
+                letters = [word for word in own if word.isalpha() and word.isascii()]
                 fixed = [w for w in letters if not any(w in column for column in self._words)]
-                stem = f"{fixed[-1].lower()}_{stem}" if fixed else stem
+                stem = "_".join([*[word.lower() for word in fixed if word != "link"], stem])
             self._whole[key] = self._new(stem, hole.texts)
         return f"$({self._whole[key]})"
 
@@ -364,18 +372,27 @@ class _Alike:
             if all(_is_close(values[0], value) for value in values):
                 pieces.append(found[0][0])
                 continue
-            if not all(_is_close(abs(values[0]), abs(value)) for value in values):
+            base = 0.0
+            if hole.key == "rpy" and not found[0][3]:  # mirrored angles may add up to π
+                total = values[0] + next(v for v in values if not _is_close(values[0], v))
+                base = pi / 2 if _is_close(total, pi) else -pi / 2 if _is_close(total, -pi) else 0.0
+            rest = [value - base for value in values]
+            if not all(_is_close(abs(rest[0]), abs(value)) for value in rest):
                 return None
-            signs.append((tuple(1 if value > 0 else -1 for value in values), index))
-            digits = found[0][2] if _PLAIN.fullmatch(found[0][2]) else repr(abs(values[0]))
-            pieces.append(f"{len(signs) - 1}|{digits}|{found[0][3] or ''}")
+            signs.append((tuple(1 if value > 0 else -1 for value in rest), index))
+            is_plain = not base and _PLAIN.fullmatch(found[0][2])
+            digits = found[0][2] if is_plain else format_number(abs(rest[0]))
+            added = "" if not base else "pi / 2" if base > 0 else "-pi / 2"
+            pieces.append(f"{len(signs) - 1}|{digits}|{found[0][3] or ''}|{added}")
         for number, (pattern, index) in enumerate(signs):
             name, factor = self._sign(pattern, hole.key, index)
             for place, piece in enumerate(pieces):
                 if piece.startswith(f"{number}|"):
-                    _, digits, unit = piece.split("|")
+                    _, digits, unit, added = piece.split("|")
                     product = name if float(digits) == 1 and not unit else f"{digits} * {name}"
-                    pieces[place] = f"$({factor}{product}){unit}"
+                    if added:
+                        product = f"{added} {factor or '+'} {product}"
+                    pieces[place] = f"$({'' if added else factor}{product}){unit}"
         return " ".join(pieces)
 
     def _sign(self, pattern: tuple[int, ...], key: str, index: int) -> tuple[str, str]:
@@ -396,11 +413,10 @@ def _function_of(
 ) -> tuple[Entry, list[Entry], Sequence[tuple[int, int]]]:
     """Return a function that makes limbs, the call of each, and their places."""
     alike = _Alike(body, places)
-    name, number = alike.name, 2
-    if name in taken:
-        column = next(iter(alike.parameters.values()))
-        prefix = _common_start(column)
-        name = f"{alike.name}{prefix}" if prefix.isalnum() else name
+    column = next(iter(alike.parameters.values()))
+    prefix = _common_start(column)
+    names = [alike.name, alike.own_name, f"{alike.name}{prefix}"]
+    name, number = next((each for each in names if each and each not in taken), alike.name), 2
     unique = name
     while unique in taken:
         unique, number = f"{name}{number}", number + 1

@@ -131,50 +131,44 @@ class Notes:
         """Move what the block of a link says of geoms to the sections of their names."""
         block = self._blocks.get(("link", name), {}).get(MJCF, [])
         geoms = [element for element in block if element.name == "geom"]
+        if not geoms:
+            return
         sections: dict[str, list[Element]] = {"visual": [], "collision": []}
+        named: dict[str, list[Element]] = {}
         for child in link.elements():
             if child.name in sections:
                 sections[child.name].append(child)
-        order: list[Element] = []
+                named.setdefault(name_of(child), []).append(child)
         moved: list[tuple[Element, Element]] = []
-        for number, geom in enumerate(geoms):
-            values = values_of(geom)
-            own = [
-                section
-                for kind in ("visual", "collision")
-                for section in sections[kind]
-                if values_of(section).get("name") == values.get("name", "")
-            ]
-            if not own:
-                names = {name_of(each) for each in link.elements()}
-                later = [values_of(each).get("name", "") for each in geoms[number:]]
-                if any(each and each in names for each in later):
+        queues = {kind: iter(row) for kind, row in sections.items()}
+        order: list[Element] = []
+        done: set[int] = set()
+        has_other = False
+        for geom in geoms:
+            own = sorted(named.get(name_of(geom), ()), key=lambda each: each.name != "visual")
+            has_other = has_other or not own
+            if own and (has_other or len(geom.attributes) < 2 or geom.children):
+                return
+            for section in own:
+                if id(section) in done:
                     return
-                break
-            if len(values) < 2 or geom.children:
-                return
-            moved.append((geom, own[-1]))
-            order += own
-        rest = [child for child in link.elements() if child.name in sections]
-        done: list[Element] = []
-        for section in order:
-            before = sections[section.name]
-            if section in done:
-                return
-            for each in before[: before.index(section) + 1]:
-                if each not in done:
-                    done.append(each)
-        done += [each for each in rest if each not in done]
-        for kind, row in sections.items():
-            if [each for each in done if each.name == kind] != row:
-                return
-        places = iter(done)
+                for each in queues[section.name]:
+                    order.append(each)
+                    done.add(id(each))
+                    if each is section:
+                        break
+            if own:
+                moved.append((geom, own[-1]))
+        for queue in queues.values():
+            order += queue
+        places = iter(order)
         link.children = [
             next(places) if isinstance(child, Element) and child.name in sections else child
             for child in link.children
         ]
+        gone = {id(geom) for geom, _ in moved}
+        block[:] = [element for element in block if id(element) not in gone]
         for geom, section in moved:
-            block.remove(geom)
             body = self._of_sections.setdefault(id(section), {}).setdefault(MJCF, _braced())
             for name, value in values_of(geom).items():
                 if name != "name":

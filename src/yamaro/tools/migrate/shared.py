@@ -30,6 +30,8 @@ FEWEST = 3
 """How many joints or shapes call a function."""
 LEAST_SAVED = 40
 """Characters that a function has to save."""
+SHORTEST = 30
+"""Characters that a function has to hold."""
 LINE = 12
 """Characters that a call costs, or the head of a function."""
 WORST = 400
@@ -156,11 +158,6 @@ def _best(holders: list[_Holder]) -> tuple[set[Atom], list[_Holder]] | None:
         candidates |= {one & other for other in kinds[number + 1 : WORST]}
     best: tuple[float, set[Atom], list[_Holder]] | None = None
     for atoms in sorted(candidates, key=sorted):
-        if (
-            not any(atom[0] == "" and not atom[1].startswith("type:") for atom in atoms)
-            and len(atoms) < 2
-        ):
-            continue
         members = [each for each in holders if atoms <= each.atoms.keys()]
         if len(members) < FEWEST:
             continue
@@ -168,6 +165,8 @@ def _best(holders: list[_Holder]) -> tuple[set[Atom], list[_Holder]] | None:
         if any(atom[0] == "" and atom[1].startswith("limit: ") for atom in chosen):
             chosen = {atom for atom in chosen if atom[0] != "limit"}
         size = sum(members[0].atoms[atom] for atom in chosen)
+        if size < SHORTEST:
+            continue
         saved = (len(members) - 1) * size - LINE * (len(members) + 2)
         if saved >= LEAST_SAVED and (best is None or saved > best[0]):
             best = saved, chosen, members
@@ -231,7 +230,8 @@ def _call(kind: str, body: Body, name: str, atoms: set[Atom], varying: Sequence[
                    if (entry.key, each.key, each.value or "") not in atoms]  # fmt: skip
             given = not own
             if own and len(own) < len(entry.value.entries):
-                rest = Body(own, in_braces=entry.value.in_braces, width=entry.value.width)
+                is_short = all(isinstance(each.value, str) for each in own)
+                rest = Body(own, in_braces=is_short, width=entry.value.width)
                 entry = Entry(entry.key, rest, entry.comment)
                 at = len(kept) if at is None else at
         if given:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from math import isclose, radians
 
+from ...model.compare import NEGLIGIBLE, POSE
 from ...model.joint import UNLIMITED
 from ...model.values import values_of
 from ...xml.tree import Comment, Element, Text
@@ -49,11 +50,17 @@ def in_language(element: Element) -> Element:
         if isinstance(element.attributes[name], Numbers):
             words = _source_words(element.value_span(name))
             text = _spelling(text, words, is_angle=name in ANGLES)
+            if name in POSE:
+                text = " ".join(["0" if _is_rounding(word) else word for word in text.split()])
             if element.name == "limit" and _is_unlimited(text):
                 copy.attributes[name] = f"{'-' * text.startswith('-')}$({NO_LIMIT})"
                 continue
         copy.attributes[name] = literal(text)
     return copy
+
+
+def _is_rounding(number: str) -> bool:
+    return "e-" in number and abs(float(number)) < NEGLIGIBLE
 
 
 def _is_unlimited(text: str) -> bool:
