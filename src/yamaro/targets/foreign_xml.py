@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..model.recognition import SURFACE_TAGS
 from ..model.schema import ELEMENTS
 from ..model.values import attribute_text, content, numbers_in
-from ..xml.tree import Element
+from ..xml.tree import SAID, Element
 from .losses import Losses
 from .table import TARGETS
 
@@ -16,7 +16,6 @@ if TYPE_CHECKING:
     from ..diagnostics import Frame as Step
     from ..model.extras import RawXml
     from ..model.robot import Robot
-    from ..xml.tree import Element
 
 IN_SENSORS = frozenset(
     """
@@ -233,14 +232,52 @@ def lost_blocks(robot: Robot, format: str) -> Losses:
         home = f"link '{raw.link}'" if raw.link is not None else f"joint '{raw.joint}'"
         label = home if raw.link is not None or raw.joint is not None else "the robot"
         for each in raw.elements:
-            is_setting = each.text().strip() and not each.elements() and not each.attributes
-            what = (
-                f"{title}'s values of '{each.name}'"
-                if is_setting
-                else f"{title}'s <{each.name}> elements"
-            )
-            found.lose_xml(what, each, label=label, trace=each.trace_within(raw.trace))
+            inner = each.elements() if each.name in _SECTIONS else [each]
+            for element in inner or ([each] if each.attributes else []):
+                if element.body == SAID or _says_nothing(element):
+                    continue
+                trace = element.trace_within(each.trace_within(raw.trace))
+                name = attribute_text(element, "name")
+                own = f"'{name}' in {label}" if name and label != "the robot" else ""
+                label_of = own or (f"'{name}'" if name else label)
+                what = _what(robot, raw, element, title)
+                found.lose_xml(what, element, label=label_of, trace=trace)
     return found
+
+
+_SECTIONS = frozenset(
+    """asset worldbody contact equality tendon actuator sensor keyframe custom extension
+    deformable""".split()
+)
+"""The elements of MJCF that only hold others."""
+_STRUCTURE = frozenset(("ref",))
+"""What the poses of joints say as well."""
+
+
+def _says_nothing(element: Element) -> bool:
+    """Return whether an element of a block is only about how its writer writes the rest."""
+    if element.attributes or element.elements():
+        is_named = element.attributes.keys() <= {"name", "joint"}
+        return is_named and not element.elements()
+    text = element.text().strip()
+    is_unlimited = element.name.endswith("limited") and text == "false"
+    return is_unlimited or element.name in _STRUCTURE or (element.name, text) == ("gravcomp", "0")
+
+
+def _what(robot: Robot, raw: RawXml, element: Element, title: str) -> str:
+    """Return what an element of a block is called in losses, in the plural."""
+    if element.text().strip() and not element.elements() and not element.attributes:
+        return f"{title}'s values of '{element.name}'"
+    name = attribute_text(element, "name")
+    known: set[str] = set()
+    link = robot.links.get(raw.link or "")
+    if link is not None:
+        known = {each.name for each in link.visuals} | {each.name for each in link.collisions}
+        known |= {joint.child for joint in robot.joints_below(link.name) if joint.is_fixed}
+    is_detail = name in known or (raw.joint in robot.actuators and raw.joint is not None)
+    is_detail |= element.name == "joint" and "joint1" in element.attributes
+    word = f"{title}'s <{element.name}>"
+    return f"details of {word}" if is_detail else f"{word} elements"
 
 
 def settings_in(elements: list[Element]) -> tuple[dict[str, Element], list[Element]]:

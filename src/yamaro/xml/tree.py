@@ -303,6 +303,9 @@ class RobotNote(Element):
     __slots__ = ()
 
 
+SAID = "said"
+"""The `body` of an element in a block for a format which notes of the robot say as well."""
+
 Node = Element | Text | Comment
 
 

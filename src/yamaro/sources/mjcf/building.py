@@ -65,6 +65,10 @@ class Builder:
         mimics: the joints that follow others, by name.
         equalities: what is kept of all equalities.
         armatures: those of joints that the model has in an actuator, by the joint's name.
+        limits: the positions that joints can have, by name.
+        joint_names: of the elements of joints, by identity.
+        sites: the link and the frame of each site, by name.
+        above: the joint that leads to each body, by the body's name.
     """
 
     def __init__(self, host: Host, contexts: Sequence[Context], world: Body) -> None:
@@ -79,7 +83,7 @@ class Builder:
         self.inner: dict[str, list[Node]] = {}
         self.rest: list[Node] = []
         self.geoms: dict[str, list[Geom]] = {}
-        self._names: dict[str, set[str]] = {"body": {WORLD}, "joint": set()}
+        self._names: dict[str, set[str]] = {"body": {WORLD}, "joint": set(), "sensor": set()}
         self._counts: dict[tuple[str, str], int] = {}
         self._colors: dict[Color, str] = {}
         self._weighed_later: set[str] = set()  # links whose mass only MuJoCo knows
@@ -90,6 +94,10 @@ class Builder:
         driven = {name for name in kinds if self.drives.noted(name) is not None}
         self.mimics, self.equalities = read_mimics(contexts, kinds, refs, driven)
         self.armatures: dict[str, tuple[str, Span]] = {}
+        self.limits: dict[str, tuple[float, float]] = {}
+        self.joint_names: dict[int, str] = {}
+        self.sites: dict[str, tuple[str, str]] = {}
+        self.above: dict[str, str] = {}
 
     def _joints(self) -> tuple[dict[str, str], dict[str, float]]:
         """Return the type of each joint, and its reference in radians or metres, by its name."""
@@ -342,6 +350,8 @@ class Builder:
         place = Place(site.span, {"name": site.name_span})
         link = making.link(place, name=name).element
         self.links.append(link)
+        if site.name:
+            self.sites[site.name] = body.name, name
         self.add_fixed(site, f"{name}_joint", body.name, name, pose)
         details: dict[str, object] = {}
         if half is not None:
@@ -357,10 +367,12 @@ class Builder:
 
     def add_fixed(self, thing: Thing, name: str, parent: str, child: str, pose: Pose) -> None:
         """Add a fixed joint between two links."""
+        name = self.fresh("joint", name)
+        self.above[child] = name
         self.joints.append(
             making.joint(
                 Place(thing.span),
-                name=self.fresh("joint", name),
+                name=name,
                 type=FIXED,
                 parent=parent,
                 child=child,

@@ -105,6 +105,7 @@ def _add_free(builder: Builder, body: Body, parent: str) -> None:
         origin=builder.origin(body.thing, body.pose),
     )
     builder.keep_free(body, joint)
+    builder.above[body.name] = name
     builder.joints.append(made.element)
 
 
@@ -180,6 +181,10 @@ def _add(
     if extras:
         made.element.children.append(block(thing.span, extras))
     builder.joints.append(made.element)
+    builder.joint_names[id(thing)] = name
+    builder.above[child] = name
+    if is_limited:
+        builder.limits[name] = (lower, upper)
 
 
 _ELSEWHERE = frozenset(

@@ -5,11 +5,12 @@ from __future__ import annotations
 from ...model import making
 from ...model.joint import Mimic
 from ...model.making import Place
-from ...xml.tree import Element
+from ...xml.tree import SAID, Element
 from .blocks import block, kept
 from .classes import unknown
 from .compiler import given_by, numbers, truth
 from .tree import Thing
+from .words import add_sensors, add_state
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -30,6 +31,7 @@ RESOLVED = frozenset(
 def add_sections(builder: Builder) -> None:
     """Add what the documents have besides bodies: notes, and blocks for MJCF."""
     sections: dict[str, Element] = {}
+    sensors: dict[int, tuple[Thing, Element]] = {}
 
     def keep(name: str, element: Element) -> None:
         if name not in sections:
@@ -56,7 +58,13 @@ def add_sections(builder: Builder) -> None:
                 if number and section.name == "keyframe":
                     continue
                 thing = Thing(each, context, context.given(each, section=section.name))
-                keep(section.name, kept(thing))
+                element = kept(thing)
+                if section.name == "sensor":
+                    sensors[id(element)] = thing, element
+                elif section.name == "keyframe":
+                    add_state(builder, thing, element)
+                keep(section.name, element)
+    add_sensors(builder, sensors)
     for element in builder.equalities:
         keep("equality", element)
     for element in builder.drives.order():
@@ -126,7 +134,8 @@ def read_mimics(
     elements: list[Element] = []
     for context in contexts:
         for thing in context.things("equality"):
-            elements.append(kept(thing))
+            element = kept(thing)
+            elements.append(element)
             if thing.kind == "joint":
                 follower, leader = thing.given.get("joint1"), thing.given.get("joint2")
                 for named in (follower, leader):
@@ -146,6 +155,8 @@ def read_mimics(
                 offset = row[0] + refs.get(name, 0.0) - row[1] * refs.get(other, 0.0)
                 span = thing.element.value_span("polycoef")
                 places = {"joint": leader[1], "multiplier": span, "offset": span}
+                if thing.given.keys() <= {"joint1", "joint2", "polycoef"}:
+                    element.body = SAID
                 mimics[name] = making.part(
                     Mimic,
                     Place(thing.span, places),

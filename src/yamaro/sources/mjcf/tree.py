@@ -38,10 +38,9 @@ class Thing:
         name: the name that it has in the model, or "".
         given: its attributes except for names and classes; names in them are those in the model.
         context: the document that it is of.
-        children: what is in it, such as the joints of a tendon.
     """
 
-    __slots__ = ("children", "context", "element", "given", "kind", "name")
+    __slots__ = ("context", "element", "given", "kind", "name")
 
     def __init__(self, element: Element, context: Context, given: Given) -> None:
         self.element = element
@@ -55,7 +54,11 @@ class Thing:
                 value, span = given[attribute]
                 given[attribute] = (context.prefix + value, span)
         self.given = given
-        self.children = [Thing(child, context, given_by(child)) for child in element.elements()]
+
+    @property
+    def children(self) -> list[Thing]:
+        """Return what is in it, such as the joints of a tendon."""
+        return [Thing(each, self.context, given_by(each)) for each in self.element.elements()]
 
     @property
     def span(self) -> Span:
