@@ -465,6 +465,32 @@ def test_wheels_of_one_content_are_matched_in_their_order() -> None:
     assert found == {"a": "c", "b": "d", "a_joint": "c_joint", "b_joint": "d_joint"}
 
 
+def test_a_word_before_all_names_is_a_rename_though_all_masses_differ() -> None:
+    other = changed(
+        *[(f'"{name}"', f'"my_{name}"') for name in ("base", "upper", "lower", "hand", "tool")],
+        *[(f'"{name}"', f'"my_{name}"') for name in ("shoulder", "elbow", "wrist")],
+        ('<mass value="5"/>', '<mass value="6"/>'),
+        ('<mass value="1.5"/>', '<mass value="1.6"/>'),
+        ('<mass value="1"/>', '<mass value="1.1"/>'),
+        ('size="0.1 0.1 0.1"', 'size="0.1 0.1 0.2"'),
+    )
+    for one, two, kept in ((ARM, other, "base"), (other, ARM, "my_base")):
+        changes = between(one, two)
+        assert not [each for each in changes if each.kind in ("added", "removed")]
+        assert changes.links[kept] in ("base", "my_base")
+        assert changes.joints["shoulder" if one is ARM else "my_shoulder"]
+        assert changes.motion.is_same
+        assert {each.what for each in changes if each.of == "link" and each.kind == "changed"} >= {
+            "mass"
+        }
+
+
+def test_a_word_before_two_names_is_no_rename() -> None:
+    one = '<robot name="r"><link name="base"/><link name="arm"/></robot>'
+    two = '<robot name="r"><link name="my_base"><visual/></link><link name="my_arm"/></robot>'
+    assert "my_base" not in between(one, two).links.values()
+
+
 def test_a_link_with_other_content_is_not_taken_for_a_renamed_one() -> None:
     other = changed(
         ('<link name="tool"/>', '<link name="lamp"><visual><geometry><sphere radius="1"/></geometry></visual></link>'),

@@ -524,3 +524,42 @@ def test_a_repository_starts_no_programs(
     (ran / "RAN").unlink(missing_ok=True)
     assert outcome(capsys, "HEAD~:arm.urdf", "arm.urdf")[0] == 2  # and it is not fetched
     assert not (ran / "RAN").exists()
+
+
+# --- between formats ------------------------------------------------------------------------------
+
+ARM_IN_MJCF = """<mujoco model="arm">
+  <compiler angle="radian"/>
+  <worldbody>
+    <body name="base">
+      <geom name="foot" type="box" size="0.1 0.1 0.1" mass="2" friction="0.7"/>
+      <body name="upper" pos="0 0 0.1">
+        <joint name="shoulder" axis="0 1 0" range="-1 1" damping="0.1"/>
+        <geom name="bone" type="box" size="0.02 0.02 0.2" pos="0 0 0.2" mass="1"/>
+      </body>
+    </body>
+  </worldbody>
+  <actuator><position joint="shoulder" kp="50" kv="2"/></actuator>
+</mujoco>
+"""
+
+
+def test_mjcf_is_compared_with_what_is_made_of_it(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    Path("arm.xml").write_text(ARM_IN_MJCF)
+    assert main(["migrate", "-q", "arm.xml", "-o", "arm.yaml"]) == 0
+    assert main(["-q", "arm.xml", "-o", "arm.urdf"]) == 0
+    capsys.readouterr()
+    assert outcome(capsys, "arm.xml", "arm.yaml") == (0, "", "")
+    status, out, err = outcome(capsys, "arm.urdf", "arm.xml")
+    assert (status, out) == (0, "")
+    assert err == ("not compared, since arm.urdf cannot hold them: 1 actuator, 1 surface\n")
+
+
+def test_actuators_of_mjcf_are_compared(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    Path("arm.xml").write_text(ARM_IN_MJCF)
+    Path("other.xml").write_text(ARM_IN_MJCF.replace('kp="50"', 'kp="60"'))
+    status, out, err = outcome(capsys, "arm.xml", "other.xml")
+    assert (status, err) == (1, "")
+    assert "kp 50 → 60" in out

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Collection, Iterable, Mapping
+    from collections.abc import Collection, Iterable, Iterator, Mapping
 
     from ..joint import Joint
     from ..link import Collision, Link, Visual
@@ -28,16 +28,51 @@ class Matching:
         self._second = second
         self.links = {name: name for name in first.links if name in second.links}
         self.joints = {name: name for name in first.joints if name in second.joints}
+        self._match_affixed()
         if len(self.links) < len(first.links) and len(self.links) < len(second.links):
             self._match_renamed_links()
         if len(self.joints) < len(first.joints) and len(self.joints) < len(second.joints):
             self._match_renamed_joints()
 
+    def _match_affixed(self) -> None:
+        """Match what differs in a word before or after all names, as `panda_link1` and `link1`."""
+        rows = (
+            (self.links, self._first.links, self._second.links),
+            (self.joints, self._first.joints, self._second.joints),
+        )
+        times: dict[tuple[bool, bool, str], int] = {}
+        for known, first, second in rows:
+            taken = set(known.values())
+            mine = {name for name in first if name not in known}
+            others = {name for name in second if name not in taken}
+            for is_first, some, rest in ((True, mine, others), (False, others, mine)):
+                for name in (each for each in (first if is_first else second) if each in some):
+                    for is_before, affix, stem in affixes_of(name):
+                        if stem in rest:
+                            key = (is_first, is_before, affix)
+                            times[key] = times.get(key, 0) + 1
+        if not times:
+            return
+        best = max(times, key=lambda key: times[key])
+        if times[best] < FEWEST_AFFIXED:
+            return
+        is_first, is_before, affix = best
+        for known, first, second in rows:
+            taken = set(known.values())
+            for name in first if is_first else second:
+                for before, found, stem in affixes_of(name):
+                    one, other = (name, stem) if is_first else (stem, name)
+                    if (before, found) != (is_before, affix) or one not in first:
+                        continue
+                    if other in second and one not in known and other not in taken:
+                        known[one] = other
+                        taken.add(other)
+
     def _match_renamed_links(self) -> None:
-        """Match links of other names: those below joints of one name, the roots, and the others."""
+        """Match links of other names: those below the same joints, the roots, and the others."""
         taken = set(self.links.values())
-        for name in self.joints:
-            link, other = self._first.joints[name].child, self._second.joints[name].child
+        for name, new in self.joints.items():
+            link, other = self._first.joints[name].child, self._second.joints[new].child
             if link in self._first.links and other in self._second.links:
                 if link not in self.links and other not in taken:
                     self.links[link] = other
@@ -107,6 +142,19 @@ class Matching:
         """Return the names in the second robot that differ, with those in the first."""
         pairs = (*self.links.items(), *self.joints.items())
         return {new: old for old, new in pairs if new != old}
+
+
+FEWEST_AFFIXED = 3
+"""Names that have to differ in the same word before or after them to be taken for the same."""
+SEPARATORS = "_-/.:"
+
+
+def affixes_of(name: str) -> Iterator[tuple[bool, str, str]]:
+    """Yield the words before and after a name: whether before, the words, the rest of the name."""
+    for index, char in enumerate(name):
+        if char in SEPARATORS and 0 < index < len(name) - 1:
+            yield True, name[: index + 1], name[index + 1 :]
+            yield False, name[index:], name[:index]
 
 
 def _by_child(joints: Mapping[str, Joint], known: Collection[str]) -> dict[str, str]:
