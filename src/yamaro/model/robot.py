@@ -184,6 +184,30 @@ class Robot(Written):
 
         return read_text(text, name=name)
 
+    @classmethod
+    def from_mjcf(cls, path: str | os.PathLike[str], *, model: str | None = None) -> Robot:
+        """Return the robot of an MJCF file, with those that it includes and attaches.
+
+        Args:
+            path: the file.
+            model: the name that the model has to have; by default any.
+
+        Raises:
+            FileNotFoundError: the file does not exist; other OSErrors if it cannot be read.
+            YamaroError: it has errors, or is not MJCF.
+        """
+        return _built(path, "mujoco", model)
+
+    @classmethod
+    def from_sdf(cls, path: str | os.PathLike[str], *, model: str | None = None) -> Robot:
+        """Return the robot of an SDF file: its first model, or the one of a name.
+
+        Raises:
+            FileNotFoundError: the file does not exist; other OSErrors if it cannot be read.
+            YamaroError: it has errors, or is not SDF.
+        """
+        return _built(path, "sdf", model)
+
     @property
     def findings(self) -> tuple[Diagnostic, ...]:
         """Return what could not be read, as warnings, in the order written."""
@@ -494,3 +518,29 @@ def _first_of_each_name(things: Sequence[Named]) -> dict[str, Named]:
         for thing in things:
             found.setdefault(thing.name, thing)
     return found
+
+
+def _built(path: str | os.PathLike[str], root: str, model: str | None) -> Robot:
+    """Return the robot of a file in another format than URDF, read as a build reads it."""
+    import os
+    from importlib import import_module  # a build is made above the model
+
+    from ..diagnostics import failure_of_all
+
+    os.stat(path)
+    # URDF is what holds the model, and it does not have to hold the loops.
+    allow = ["lost-in-urdf"]
+    build = import_module("yamaro.api").build(
+        os.fspath(path), model=model, allow=allow, on_message=lambda line: None
+    )
+    robot: Robot = build.robot
+    if robot.span.written() != root:
+        name = os.fspath(path)
+        known = {"mujoco": "MJCF", "sdf": "SDF"}[root]
+        raise failure_of_all(
+            "not-urdf",
+            f"this is not {known}: its root is not '{root}'",
+            name,
+            "read it with Robot.from_urdf, or with yamaro.build, which reads any of them",
+        )
+    return robot

@@ -229,7 +229,7 @@ class Drives:
             for attribute in OWN & thing.given.keys():
                 del thing.given[attribute]
             for attribute, value in law.attributes(thing.kind).items():
-                thing.given[attribute] = (str(value), thing.element.value_span(attribute))
+                thing.given[attribute] = (str(value), thing.where(attribute))
         if named is None:
             return None
         if named[0] not in joints:
@@ -271,7 +271,7 @@ class Drives:
                 "joint": drive.joint,
                 "command": drive.command,
             }
-            places = {"command": thing.span, "joint": thing.element.value_span("joint")}
+            places = {"command": thing.span, "joint": thing.where("joint")}
             square = drive.gear * drive.gear
             gain, bias = drive.law.rows["gainprm"], drive.law.rows["biasprm"]
             if drive.command == POSITION:
@@ -282,13 +282,13 @@ class Drives:
                 values["kd"] = square * gain[0]
             for name in ("kp", "kd"):
                 written = "kv" if name == "kd" else "kp"
-                places[name] = thing.element.value_span(written)
+                places[name] = thing.where(written)
             if drive.joint in armatures:
                 text, span = armatures[drive.joint]
                 values["armature"], places["armature"] = float(text), span
             delay = number(thing.given, "delay", 0.0)
             if delay > 0:
-                values["delay"], places["delay"] = delay, thing.element.value_span("delay")
+                values["delay"], places["delay"] = delay, thing.where("delay")
             builder.rest.append(making.note("actuator", Place(thing.span, places), values))
 
     def order(self) -> list[Element]:

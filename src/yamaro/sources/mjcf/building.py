@@ -68,6 +68,7 @@ class Builder:
         limits: the positions that joints can have, by name.
         joint_names: of the elements of joints, by identity.
         sites: the link and the frame of each site, by name.
+        has_capsule: whether a shape is one, which URDF has since 1.1.
         above: the joint that leads to each body, by the body's name.
     """
 
@@ -86,6 +87,7 @@ class Builder:
         self._names: dict[str, set[str]] = {"body": {WORLD}, "joint": set(), "sensor": set()}
         self._counts: dict[tuple[str, str], int] = {}
         self._colors: dict[Color, str] = {}
+        self.has_capsule = False
         self._weighed_later: set[str] = set()  # links whose mass only MuJoCo knows
         self._name_all()
         self.has_world = self._needs_world()
@@ -147,7 +149,7 @@ class Builder:
         return Element(
             "robot",
             self.span,
-            {"name": name},
+            {"name": name, "version": "1.1"} if self.has_capsule else {"name": name},
             [*materials, *self.links, *self.joints, *self.rest],
             value_spans={"name": self.context.document.root.value_span("model")},
         )
@@ -430,8 +432,9 @@ class Builder:
             shape = geom.shape()
             if shape is None:
                 return None
-            span = thing.element.value_span("size")
+            span = thing.where("size")
             place = Place(thing.span, dict.fromkeys(shape.attributes, span))
+            self.has_capsule |= shape.kind == "capsule"
             return making.simple_shape(place, shape.kind, *shape.size), geom.pose
         turn = mesh.in_geom()
         details = DETAILS_OF_MESHES & mesh.thing.given.keys()
@@ -439,8 +442,8 @@ class Builder:
             return None
         if mesh.path.lower().endswith(".msh"):
             return None
-        span = mesh.thing.element.value_span("file")
-        places = {"filename": span, "scale": mesh.thing.element.value_span("scale")}
+        span = mesh.thing.where("file")
+        places = {"filename": span, "scale": mesh.thing.where("scale")}
         scale = mesh.scale if mesh.scale != (1.0, 1.0, 1.0) else None
         made = making.mesh(Place(thing.span, places), mesh.filename(), scale)
         self.assets.held.add(mesh.name)

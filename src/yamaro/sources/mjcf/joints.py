@@ -138,7 +138,7 @@ def _add(
         origin = origin @ step
     if is_marked:
         where = _place(thing, "hinge")
-        extras.append(setting("pos", row(where or ZERO), thing.element.value_span("pos")))
+        extras.append(setting("pos", row(where or ZERO), thing.where("pos")))
     ends = numbers(given, "range", 2)
     limited = chosen(given, "limited", LIMITED, "auto")
     has_range = ends is not None and any(ends)
@@ -212,7 +212,7 @@ def _limit(
     is_bounded = flag == "true" or (
         flag == "auto" and thing.context.compiler.autolimits and force is not None and any(force)
     )
-    span = thing.element.value_span("range")
+    span = thing.where("range")
     places: dict[str, Span] = {"lower": span, "upper": span}
     values: dict[str, float] = {}
     if force is not None and is_bounded:

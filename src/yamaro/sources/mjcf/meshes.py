@@ -118,7 +118,7 @@ class MeshAsset:
 
     def filename(self) -> str:
         """Return what names its file in URDF."""
-        return self._host.filename(self.path, self.thing.element.value_span("file"))
+        return self._host.filename(self.path, self.thing.where("file"))
 
     # --- geometry ---
 
@@ -153,14 +153,15 @@ class MeshAsset:
             if flat is None:
                 reason = f"MuJoCo makes the mesh '{self.name}'"
                 raise UnknownMassError(reason, self.thing.span)
-            inline = [*zip(flat[::3], flat[1::3], flat[2::3], strict=False)]
+            single = array("f", flat)
+            inline = [*zip(single[::3], single[1::3], single[2::3], strict=False)]
             if faces is None:
                 return inline, hull(inline)
             whole = [*map(int, faces)]
             if not all(0 <= index < len(inline) for index in whole):
                 raise fault("a face has a vertex that is not there", given["face"][1], "from 0")
             return inline, [*zip(whole[::3], whole[1::3], whole[2::3], strict=True)]
-        span = self.thing.element.value_span("file")
+        span = self.thing.where("file")
         path = self._host.find(self.filename(), span)
         if path is None:
             raise failure(

@@ -153,7 +153,7 @@ def read_mimics(
                 if _leads_to(mimics, other, name):
                     continue
                 offset = row[0] + refs.get(name, 0.0) - row[1] * refs.get(other, 0.0)
-                span = thing.element.value_span("polycoef")
+                span = thing.where("polycoef")
                 places = {"joint": leader[1], "multiplier": span, "offset": span}
                 if thing.given.keys() <= {"joint1", "joint2", "polycoef"}:
                     element.body = SAID

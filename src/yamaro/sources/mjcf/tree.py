@@ -70,6 +70,11 @@ class Thing:
         """Return where its name is written."""
         return self.element.value_span("name")
 
+    def where(self, attribute: str) -> Span:
+        """Return where an attribute is written, in the element or in its class."""
+        found = self.given.get(attribute)
+        return found[1] if found is not None else self.element.span
+
     def text(self, attribute: str) -> str | None:
         """Return an attribute as it is written, or None."""
         found = self.given.get(attribute)
