@@ -206,7 +206,7 @@ def test_angles_that_a_mirror_takes_from_half_a_turn_are_one_number(tmp_path: Pa
 def test_the_command_writes_and_counts(dog: Path, capsys: pytest.CaptureFixture[str]) -> None:
     made = dog.with_suffix(".yaml")
     assert main(["migrate", str(dog), "-o", str(made)]) == 0
-    assert capsys.readouterr().err == f"{dog}: identical: 10 links, 9 joints\n"
+    assert capsys.readouterr().err == f"{dog}: identical: 10 links, 9 joints, 1 state\n"
     assert main(["migrate", str(dog), "-o", f"{dog.parent}/out/", "--safe"]) == 0
     assert (dog.parent / "out" / "dog.yaml").read_text() == made.read_text()
 

@@ -68,6 +68,8 @@ def _sorted_notes(root: Element, notes: Sequence[Element]) -> dict[str, Element]
         if note.name in ("actuator", "surface"):
             key = f"{note.name} of {home[0]} '{home[1]}'"
             key += f", collision {values['index']}" if note.name == "surface" else ""
+        if note.name == "sensor":
+            note = _without(note, "of")  # whose blocks have it as well
         if note.name == "state":
             note = note.with_children([_without(each, "written") for each in note.elements()])
         if note.name == "base" or key not in found:

@@ -19,7 +19,7 @@ from .parts import is_frame
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+    from collections.abc import Iterable, Sequence
 
     from .elements import ElementWriter
     from .formulas import Degrees
@@ -62,6 +62,7 @@ class Notes:
         elements: ElementWriter,
         names: ShortNames,
         degrees: Degrees,
+        absorbs: bool,
     ) -> None:
         """Sort notes by what they belong to.
 
@@ -71,6 +72,7 @@ class Notes:
             elements: writes elements.
             names: the names of parts.
             degrees: writes angles.
+            absorbs: whether sensors may make the frames of their names.
         """
         self._elements = elements
         self._names = names
@@ -85,7 +87,7 @@ class Notes:
         self._blocks: dict[Home, dict[str, list[Element]]] = {}
         self._of_sections: dict[int, dict[str, Body]] = {}
         self.absorbed: set[int] = set()
-        self._poses: dict[str, Element] = {}
+        self._made: dict[str, Element] = {}
         for note in notes:
             values = values_of(note)
             if note.name == "surface":
@@ -99,9 +101,11 @@ class Notes:
         self._settle_frames()
         for name, link in self._links.items():
             self._settle_geoms(name, link)
+        self._sensors = [name_of(note) for note in notes if note.name == "sensor"]
+        self._order = {name: index for index, name in enumerate(self._links)}
         for note in notes:
-            if note.name == "sensor":
-                self._absorb(values_of(note))
+            if note.name == "sensor" and absorbs:
+                self._absorb(note)
 
     def _read(self, root: Element) -> None:
         for child in root.elements():
@@ -174,10 +178,11 @@ class Notes:
                 if name != "name":
                     body.add(name, value)
 
-    def _absorb(self, sensor: dict[str, str]) -> None:
+    def _absorb(self, note: Element) -> None:
         """Let a sensor make the frame of its name, where it would make the one that is there."""
+        sensor = values_of(note)
         name, link = sensor["name"], sensor.get("link")
-        if link is None or sensor.get("frame") != name:
+        if link is None or sensor.get("frame") != name or not self._links[link].elements():
             return
         frames = [(name, link)]
         if sensor["type"] in CAMERAS:
@@ -188,9 +193,39 @@ class Notes:
                 return
             if not is_frame(own, joint, parent):
                 return
-        self._poses[name] = self._joints[name]
-        for frame, _ in frames:
+        between = list(self._links)[self._order[link] + 1 : self._order[name]]
+        if any(child_of_frame(self._joints.get(each)) != link for each in between):
+            return
+        self._made[name] = note
+        for frame, _ in frames[1:]:
             self.absorbed |= {id(self._links[frame]), id(self._joints[frame])}
+
+    def sensor_in_place_of(self, link: Element, pose: list[Entry]) -> Entry | None:
+        """Return the sensor that makes the frame that a link is, at a pose; None if none does."""
+        note = self._made.get(name_of(link))
+        return None if note is None else self._sensor(note, pose)
+
+    def put_in_order(self, model: Body) -> None:
+        """Put the sensors of each link in their order, of which some are frames in theirs."""
+        names = [name_of(note) for (kind, _), row in self._notes.items() for note in row
+                 if kind == "sensor"]  # fmt: skip
+        places = {self._elements.key("sensor", {"name": name}): name for name in names}
+        order = {key: self._sensors.index(name) for key, name in places.items()}
+        for body in model.bodies():
+            found = [entry for entry in body if entry.key in order]
+            if found == sorted(found, key=lambda entry: order[entry.key]):
+                continue
+            movable = [entry for entry in found if places[entry.key] not in self._made]
+            body.entries = [entry for entry in body if not any(entry is own for own in movable)]
+            for entry in sorted(movable, key=lambda own: order[own.key]):
+                before = [
+                    index
+                    for index, own in enumerate(body.entries)
+                    if order.get(own.key, len(order)) < order[entry.key]
+                ]
+                after = [index for index, own in enumerate(body.entries) if own.key in order]
+                at = before[-1] + 1 if before else after[0] if after else len(body.entries)
+                body.entries.insert(at, entry)
 
     # --- in joints, links, sections and frames ------------------------------------------------
 
@@ -200,15 +235,14 @@ class Notes:
         kind = self._types.get(name, "")
         home = ("joint", name)
         found = [self._actuator(note, kind) for note in self._notes.get(("actuator", home), ())]
-        found += [self._sensor(note, None) for note in self._notes.get(("sensor", home), ())]
+        found += [self._sensor(note) for note in self._notes.get(("sensor", home), ())]
         return found + self._written_blocks(home)
 
-    def in_link(
-        self, link: Element, pose_of: Callable[[Element], list[Entry] | None]
-    ) -> list[Entry]:
-        """Return the entries of a link that are words; `pose_of` writes the pose of a joint."""
+    def in_link(self, link: Element) -> list[Entry]:
+        """Return the entries of a link that are words."""
         home = ("link", name_of(link))
-        found = [self._sensor(note, pose_of) for note in self._notes.get(("sensor", home), ())]
+        sensors = self._notes.get(("sensor", home), ())
+        found = [self._sensor(note) for note in sensors if name_of(note) not in self._made]
         return found + self._written_blocks(home)
 
     def in_section(self, section: Element) -> list[Entry]:
@@ -266,15 +300,13 @@ class Notes:
             body.add(name, milliseconds(value) if name == "delay" else value)
         return Entry("actuator", body or None)
 
-    def _sensor(
-        self, note: Element, pose_of: Callable[[Element], list[Entry] | None] | None
-    ) -> Entry:
+    def _sensor(self, note: Element, pose: Sequence[Entry] | None = None) -> Entry:
         values = values_of(note)
         name, type = values["name"], values["type"]
         body = _braced([Entry("type", type)])
         frame = values.get("frame")
-        if name in self._poses and pose_of is not None:
-            body.entries += pose_of(self._poses[name]) or []
+        if pose is not None:
+            body.entries += pose
         elif (frame is not None and frame != values.get("link")) or (
             frame is not None and self._links[frame].elements()
         ):
@@ -322,6 +354,7 @@ class Notes:
         for each in note.elements():
             values = values_of(each)
             joint, value = values["joint"], values["value"]
+            value = value.removesuffix(".0")
             if self._types.get(joint) in TURNING:
                 value = self._degrees.number(value)
             body.add(self._names.of_joints.get(joint, joint), value)
@@ -372,6 +405,13 @@ def _group(note: Element) -> Entry:
 
 def _braced(entries: Iterable[Entry] = ()) -> Body:
     return Body(entries, in_braces=True, width=RECORD_WIDTH)
+
+
+def child_of_frame(joint: Element | None) -> str | None:
+    """Return the link that a fixed joint is on; None for another joint."""
+    if joint is None or values_of(joint).get("type") != "fixed":
+        return None
+    return next((values_of(e).get("link") for e in joint.elements() if e.name == "parent"), None)
 
 
 def is_setting(element: Element) -> bool:

@@ -473,6 +473,12 @@ class PartWriter:
         """Return the words in a frame; None if its link has some that a frame cannot have."""
         return []
 
+    def frame_entry(self, link: Element, entries: list[Entry]) -> Entry:
+        """Return a frame for a link, with some entries."""
+        return Entry(
+            self.key_of("frame", {"name": name_of(link)}), Body(entries, in_braces=True) or None
+        )
+
     def pose_entries(self, owner: Element, origin: Element | None) -> list[Entry] | None:
         """Return the entries that give an origin, or None if an element has to give it."""
         if pose_of(origin, exact=self._exact) is None:
@@ -781,8 +787,7 @@ class Frames:
         if pose is None or words is None:
             return False
         pose += words
-        frame = Entry(writer.key_of("frame", {"name": name_of(link)}), Body(pose, in_braces=True))
-        frame.value = frame.value or None
+        frame = writer.frame_entry(link, pose)
         note_comments(joint, frame)
         note_comments(link, frame)
         for child in joint.elements():

@@ -53,6 +53,10 @@ WATER = 1000.0
 """The density in kg/m³ of geoms that MJCF says nothing else of."""
 
 
+WAYS = ((True, True), (True, False), (False, False))
+"""The ways to write a robot, the shortest first: with functions, with sensors that make frames."""
+
+
 class Lowered:
     """A robot as it is before it is written in a format.
 
@@ -218,15 +222,19 @@ def migrate_lowered(
     own_notes = [in_language(note) for note in notes]
     lost = place_comments(document, own, own_notes)
     plain: set[int] = set()
-    shares = True
+    ways = iter(WAYS)
+    shares, absorbs = next(ways)
     while True:
-        text, counts = _write(document, own, own_notes, plain, exact=exact, shares=shares)
+        text, counts = _write(
+            document, own, own_notes, plain, exact=exact, shares=shares, absorbs=absorbs
+        )
         try:
             built = builder.build(stem, text, policy)
         except YamaroError:
             everything = {id(each) for each in own.elements() if each.name in ("joint", "link")}
-            if shares:
-                shares = False
+            way = next(ways, None)
+            if way is not None:
+                shares, absorbs = way
                 continue
             if everything <= plain:
                 raise
@@ -234,8 +242,8 @@ def migrate_lowered(
             continue
         differences = compare(root, built.root, exact=exact)
         differences += compare_notes((root, notes), (built.root, built.notes))
-        if differences and shares:
-            shares = False
+        if differences and (way := next(ways, None)) is not None:
+            shares, absorbs = way
             continue
         different = different_parts(root, own, built.root, exact=exact) - plain
         if differences and different:
@@ -263,6 +271,7 @@ def _write(
     *,
     exact: bool,
     shares: bool,
+    absorbs: bool,
 ) -> tuple[str, dict[str, int]]:
     """Return a source, and how many notes of some kinds are in it."""
     while True:
@@ -272,9 +281,17 @@ def _write(
         shown = copied(root)
         naming = _naming_of(root)
         writer = ModelWriter(shown, elements, variables, plain, exact=exact, naming=naming)
-        words = Notes(shown, notes, elements=elements, names=writer.names, degrees=Degrees({}))
+        words = Notes(
+            shown,
+            notes,
+            elements=elements,
+            names=writer.names,
+            degrees=Degrees({}),
+            absorbs=absorbs,
+        )
         writer.parts = RobotParts(words, elements, writer.names, variables.material, exact=exact)
         model = writer.body(without=words.absorbed)
+        words.put_in_order(model)
         functions = Body()
         if shares and len(plain) == known:
             names = {NO_LIMIT, *(own.key for own in variables.declared)}
@@ -388,17 +405,18 @@ class RobotParts(PartWriter):
         return entry
 
     def _words_of_link(self, link: Element) -> list[Entry]:
-        return self._words.in_link(link, self._pose_of)
-
-    def _pose_of(self, joint: Element) -> list[Entry] | None:
-        origin = next((each for each in joint.elements() if each.name == "origin"), None)
-        return self.pose_entries(joint, origin)
+        return self._words.in_link(link)
 
     def _words_of_joint(self, joint: Element) -> list[Entry]:
         return self._words.in_joint(joint)
 
     def _words_of_section(self, section: Element) -> list[Entry]:
         return self._words.in_section(section)
+
+    def frame_entry(self, link: Element, entries: list[Entry]) -> Entry:
+        """Return a frame for a link, or the sensor that makes it, with some entries."""
+        sensor = self._words.sensor_in_place_of(link, entries)
+        return super().frame_entry(link, entries) if sensor is None else sensor
 
     def words_of_frame(self, link: Element) -> list[Entry] | None:
         """Return the words in a frame; None if its link has some that a frame cannot have."""
