@@ -33,7 +33,8 @@ def entity(path: str) -> dict[str, object]:
             "friction": float(model.dof_frictionloss[dof]),
             "damping": float(model.dof_damping[dof]),
         }
-    joined = (model.joint(model.actuator(i).trnid[0]) for i in range(model.nu))
+    driving = (model.actuator(i) for i in range(model.nu))
+    joined = (model.joint(each.trnid[0]) for each in driving if int(each.trntype[0]) == 0)
     commanded = [_name_of(each).rpartition("/")[2] for each in joined]
     for group in built.actuators:
         for name in group.target_names:

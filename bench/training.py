@@ -59,9 +59,15 @@ MJLAB, ISAACLAB = Judge("mjlab_entities.py"), Judge("isaaclab_articulations.py")
 
 
 def driven(path: Path, folder: Path) -> Path:
-    """Return a copy of a robot with an actuator in each joint that moves alone."""
+    """Return a copy of a robot with an actuator in each joint that moves alone.
+
+    It is without sensors: lidars have thousands of rays, which MuJoCo 3.11 reads for minutes.
+    """
     tree = ElementTree.parse(path)
     root = tree.getroot()
+    for name in ("gazebo", "sensor"):
+        for each in root.findall(name):
+            root.remove(each)
     if root.find("ros2_control") is None:
         control = ElementTree.SubElement(root, "ros2_control", name="all", type="system")
         for joint in root.findall("joint"):
