@@ -27,7 +27,15 @@ ONE, QUATERNION = (1, 1), (7, 6)
 
 
 class UnknownOrderError(Exception):
-    """The program refuses the document, or nothing says which order it has."""
+    """The program refuses the document, or nothing says which order it has.
+
+    Attributes:
+        hint: what to write instead, or "".
+    """
+
+    def __init__(self, reason: str, hint: str = "") -> None:
+        super().__init__(reason)
+        self.hint = hint
 
 
 class Listing:
@@ -406,7 +414,10 @@ class _Usd:
             each for each in ("", *self.bodies) if each in self.below and each not in held
         ]
         if len(self.roots) > 1:
-            raise UnknownOrderError("a floating joint between moving links makes several trees")
+            raise UnknownOrderError(
+                "a floating joint between moving links makes several trees",
+                "build each tree of links as a robot of its own",
+            )
 
     def freedoms(self, prim: Usd.Prim) -> list[bool | None]:
         """Return of each axis of a joint of any type whether it is locked; None without limits."""
@@ -509,11 +520,14 @@ def in_isaac(robot: Robot, output: Output) -> Listing:
     if not root and usd.below:
         first, *others = usd.below[""]
         if others or usd.joints[first].GetTypeName() != "PhysicsFixedJoint":
-            raise UnknownOrderError("PhysX has one link that is fixed in the world")
+            raise UnknownOrderError(
+                "PhysX has one link that is fixed in the world",
+                "fix the others to that link, not to the world",
+            )
         root = usd.ends[first][1]
     elif not root:
         if not usd.bodies:
-            raise UnknownOrderError("no link has mass")
+            raise UnknownOrderError("no link has mass", "add the masses of links")
         root = usd.bodies[0]
     links = [root]
     joints: list[str] = []

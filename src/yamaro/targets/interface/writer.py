@@ -61,6 +61,7 @@ def write(robot: Robot, wanted: Wanted) -> Output:
     consumers: Entry = {}
     refused: dict[str, list[str]] = {}  # programs by the reason
     causes: dict[str, Diagnostic] = {}
+    hints: dict[str, str] = {}
     for name, (title, format, read) in readers.items():
         try:
             if format not in outputs:
@@ -73,6 +74,7 @@ def write(robot: Robot, wanted: Wanted) -> Output:
             causes[reason] = first
         except UnknownOrderError as error:
             reason = str(error)
+            hints[reason] = error.hint
         consumers[name] = {"format": format, "refused": reason}
         refused.setdefault(reason, []).append(title)
     losses = []
@@ -80,7 +82,7 @@ def write(robot: Robot, wanted: Wanted) -> Output:
         what = f"orders of joints in {', '.join(titles)}"
         cause = causes.get(reason)
         if cause is None:
-            losses.append(Loss(LOST, what, reason, robot.span))
+            losses.append(Loss(LOST, what, reason, robot.span, hint=hints[reason]))
         else:
             hint = cause.hint or ""
             losses.append(Loss(LOST, what, reason, cause.span, trace=cause.trace, hint=hint))

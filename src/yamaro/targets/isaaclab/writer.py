@@ -66,9 +66,8 @@ def write(robot: Robot, wanted: Wanted) -> Output:
     try:
         listing = in_isaac(robot, model)
     except UnknownOrderError as error:
-        hint = "build each tree of links as a robot of its own"
         message = f"{TITLE} takes one articulation: {error}"
-        raise failure(UNFIT, message, robot.span, hint=hint) from None
+        raise failure(UNFIT, message, robot.span, hint=error.hint or None) from None
     names = {
         str(each["yamaro"]): str(each["name"])
         for each in listing.joints
