@@ -11,6 +11,7 @@ import pytest
 
 import yamaro
 from tests.tools.migrate.migrating import assert_in_style
+from yamaro.codes import ADJUSTABLE
 from yamaro.commands.main import main
 from yamaro.files.loader import FileLoader
 from yamaro.policy import Policy
@@ -119,7 +120,9 @@ def test_limbs_become_a_function_and_classes_another(dog: Path) -> None:
 
 def test_masses_angles_and_settings_read_well(dog: Path) -> None:
     text = migration_of(dog).text
-    assert text.startswith("# A small dog.\nrobot: dog\nnaming: {link: '*'}\nbase: free\n")
+    assert text.startswith("# A small dog.\nnaming: {link: '*'}\nbase: free\n")
+    assert "\nrobot/name=dog, version=1.1:\n" in text  # which has capsules
+    assert "\nstates:\n  home:\n" in text
     assert "frame/name=imu: {xyz: 0 0 0.05, mjcf: {size: 0.01}}\n" in text
     assert "density: 1000\n" in text
     assert "# The legs differ in their signs.\n- Leg: {leg: FL" in text
@@ -353,3 +356,59 @@ def test_a_block_about_a_site_is_one_of_its_frame() -> None:
     assert told([about], [note("raw-block", setting("size", "1"), format="mjcf", link="tip")]) == [
         "mjcf of link 'tip', size: its text is '1', not '0.1'"
     ]
+
+
+# --- SDF ------------------------------------------------------------------------------------------
+
+CART = """<sdf version="1.9">
+  <model name="cart">
+    <link name="base">
+      <inertial><mass>2</mass></inertial>
+      <visual name="hull">
+        <geometry><box><size>1 0.5 0.2</size></box></geometry>
+        <transparency>0.5</transparency>
+      </visual>
+      <collision name="hull">
+        <geometry><box><size>1 0.5 0.2</size></box></geometry>
+        <surface><contact><collide_bitmask>3</collide_bitmask></contact></surface>
+      </collision>
+      <sensor name="gauge" type="air_pressure"><update_rate>5</update_rate></sensor>
+    </link>
+    <link name="wheel">
+      <pose relative_to="axle"/>
+      <inertial><mass>1</mass></inertial>
+      <visual name="tire">
+        <geometry><sphere><radius>0.1</radius></sphere></geometry>
+        <transparency>0.5</transparency>
+      </visual>
+    </link>
+    <joint name="axle" type="revolute">
+      <pose relative_to="base">0 0.3 0 0 0 0</pose>
+      <parent>base</parent>
+      <child>wheel</child>
+      <axis><xyz>0 1 0</xyz><dynamics><damping>0.1</damping></dynamics></axis>
+    </joint>
+    <plugin name="drive" filename="drive.so"><wheel>axle</wheel></plugin>
+  </model>
+</sdf>
+"""
+
+
+def test_sdf_becomes_parts_with_blocks_at_their_shapes(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "cart.sdf"
+    path.write_text(CART)
+    made = tmp_path / "cart.yaml"
+    assert main(["migrate", str(path), "-o", str(made)]) == 0
+    assert capsys.readouterr().err.startswith(f"{path}: identical: 2 links, 1 joint")
+    text = made.read_text()
+    assert "sdf: {transparency: 0.5}" in text
+    assert "collide_bitmask: 3" in text
+    assert "plugin/name=drive, filename=drive.so: {wheel: axle}" in text
+    assert "dynamics: {damping: 0.1}" in text
+    own, again = (
+        yamaro.build(str(each), target="sdf", allow=ADJUSTABLE, on_message=print).xml()
+        for each in (path, made)
+    )
+    assert again == own

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 ROBOT = ("", "")
 """The home of blocks of the robot as a whole."""
-MJCF = "mjcf"
+MJCF, SDF = "mjcf", "sdf"
 COUNTED = {"actuator": "actuator", "sensor": "sensor", "state": "state", "robot-loop": "loop"}
 """The notes that a report counts, and what it calls them."""
 COMPUTED = {"rotor_inertia": ("armature",), "frequency": ("kp", "kd")}
@@ -101,6 +101,7 @@ class Notes:
         self._settle_frames()
         for name, link in self._links.items():
             self._settle_geoms(name, link)
+            self._settle_shapes(name, link)
         self._sensors = [name_of(note) for note in notes if note.name == "sensor"]
         self._order = {name: index for index, name in enumerate(self._links)}
         for note in notes:
@@ -177,6 +178,23 @@ class Notes:
             for name, value in values_of(geom).items():
                 if name != "name":
                     body.add(name, value)
+
+    def _settle_shapes(self, name: str, link: Element) -> None:
+        """Move what the block of a link for SDF says of its shapes to these."""
+        block = self._blocks.get(("link", name), {}).get(SDF, [])
+        for kind in ("visual", "collision"):
+            rows = [each for each in link.elements() if each.name == kind]
+            known = {name_of(each): index for index, each in enumerate(rows)}
+            about = [each for each in block if each.name == kind]
+            places = [known.get(name_of(each), -1) for each in about]
+            is_plain = all([*values_of(each)] == ["name"] and each.elements() for each in about)
+            if not is_plain or -1 in places or places != sorted(set(places)):
+                continue
+            for element, index in zip(about, places, strict=True):
+                own = self._of_sections.setdefault(id(rows[index]), {})
+                body = self._elements.body(element.children)
+                own[SDF] = body if body is not None else Body()
+            block[:] = [each for each in block if each.name != kind]
 
     def _absorb(self, note: Element) -> None:
         """Let a sensor make the frame of its name, where it would make the one that is there."""

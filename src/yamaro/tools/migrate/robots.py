@@ -331,12 +331,11 @@ def _write(
         if robot.value is None:
             robot.value = model
             sections.entries.remove(robot)
+            sections.append(robot)
         else:
             sections.add("model", model or None)
         for entry in words.sections_below():
             sections.append(entry)
-        if robot.value is model:
-            sections.append(robot)
         for comment in document.after:
             sections.note(tidy_text(comment.text))
         if len(plain) == known:

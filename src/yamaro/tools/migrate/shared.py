@@ -63,8 +63,8 @@ class _Holder:
             value = entry.value
             if isinstance(value, Body) and entry.key in BLOCKS:
                 for own in value:
-                    if not isinstance(own.value, Body) and not own.comment:
-                        said = own.value or ""
+                    if not own.comment and _is_closed(own, known):
+                        said = _content(own)
                         self.atoms[entry.key, own.key, said] = len(own.key) + len(said)
                 continue
             text = _said(entry)
@@ -149,6 +149,10 @@ def _said(entry: Entry) -> str:
     return f"{entry.key}: {entry.value or ''}"
 
 
+def _content(entry: Entry) -> str:
+    return _said(entry) if isinstance(entry.value, Body) else entry.value or ""
+
+
 def _best(holders: list[_Holder]) -> tuple[set[Atom], list[_Holder]] | None:
     """Return the atoms that save most as a function, and who has them; None if none is worth it."""
     candidates: set[frozenset[Atom]] = set()
@@ -188,7 +192,7 @@ def _function(kind: str, atoms: set[Atom], members: list[_Holder], taken: set[st
     for entry in members[0].body:
         value = entry.value
         if entry.key in BLOCKS and isinstance(value, Body):
-            own = [each for each in value if (entry.key, each.key, each.value or "") in atoms]
+            own = [each for each in value if (entry.key, each.key, _content(each)) in atoms]
             if own:
                 is_short = all(isinstance(each.value, str) for each in own)
                 inner.add(entry.key, Body(own, in_braces=is_short, width=value.width))
@@ -227,7 +231,7 @@ def _call(kind: str, body: Body, name: str, atoms: set[Atom], varying: Sequence[
             given = True
         if entry.key in BLOCKS and isinstance(entry.value, Body):
             own = [each for each in entry.value
-                   if (entry.key, each.key, each.value or "") not in atoms]  # fmt: skip
+                   if (entry.key, each.key, _content(each)) not in atoms]  # fmt: skip
             given = not own
             if own and len(own) < len(entry.value.entries):
                 is_short = all(isinstance(each.value, str) for each in own)
