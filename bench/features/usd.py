@@ -41,6 +41,8 @@ def read(text: str, own: Mapping[str, str]) -> Iterator[Key]:
             yield ("sensor", name)
             for each in ("horizontal_fov", "near", "far", "pose", "always_on"):
                 yield ("in sensor", name, each)
+            if prim.HasAttribute("omni:sensor:tickRate"):
+                yield ("in sensor", name, "update_rate")
         elif prim.GetTypeName() == "RenderProduct":
             (camera,) = prim.GetRelationship("camera").GetTargets()
             for each in ("width", "height"):

@@ -192,7 +192,7 @@ ROWS: dict[str, tuple[Cell, Cell, Cell, Cell]] = {
         "newton:contactDamping",
     ),
     "sensor.type": (_SENSORS, "type", "sensor", _partly(LOST, "sensors")),
-    "sensor.rate": (_SENSORS, "update_rate", _RATES, _partly(LOST, "rates of sensors")),
+    "sensor.rate": (_SENSORS, "update_rate", _RATES, "sensorPeriod"),
     "sensor.noise": (
         *(_SENSORS, _partly(LOST, "noise of contact sensors")),
         *(_partly(LOST, "noise of cameras"), _partly(LOST, "noise of sensors")),

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from math import degrees, pi
+from math import degrees, pi, radians
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -227,6 +228,12 @@ def test_a_joint_follows_another_in_degrees(tmp_path: Path) -> None:
     found = values_of(stage, "/hand/joints/finger_joint", "newton")
     assert found["mimicCoef0"] == pytest.approx(degrees(0.1))
     assert found["mimicCoef1"] == -0.5
+    assert "MjcEqualityJointAPI" in finger.GetPrimTypeInfo().GetAppliedAPISchemas()
+    mjcf = yamaro.build(tmp_path / "robot.yaml", target="mjcf", base="fixed").xml()
+    equality = ElementTree.fromstring(mjcf).find("default/default/equality")
+    assert equality is not None
+    solref = [float(number) for number in equality.get("solref", "").split()]
+    assert list(finger.GetAttribute("mjc:solref").Get()) == solref
     assert [loss.owner for loss in build.losses] == ["joint 'lock_joint'"]
 
 
@@ -487,7 +494,6 @@ def test_sensors_are_those_of_isaac_sim(tmp_path: Path) -> None:
         ("lost", "noise of sensors", "sensor 'imu'"),
         ("approximated", "cones of range sensors", "sensor 'near'"),
         ("approximated", "contact sensors", "sensor 'bump'"),
-        ("lost", "rates of cameras", "sensor 'eye'"),
         ("lost", "gps sensors", "sensor 'fix'"),
     }
 
@@ -496,6 +502,9 @@ def test_cameras_render_images_of_their_size(tmp_path: Path) -> None:
     from pxr import UsdRender
 
     stage, _ = stage_of(SENSORS, tmp_path)
+    eye = stage.GetPrimAtPath("/seer/base_link/eye/eye")
+    assert eye.GetAttribute("omni:sensor:tickRate").Get() == 30
+    assert "OmniSensorAPI" in eye.GetPrimTypeInfo().GetAppliedAPISchemas()
     for name, size, data in (("eye", (320, 240), "color3f"), ("depth", (64, 48), "float")):
         product = UsdRender.Product(stage.GetPrimAtPath(f"/seer/renders/{name}"))
         assert product.GetResolutionAttr().Get() == size
@@ -503,3 +512,46 @@ def test_cameras_render_images_of_their_size(tmp_path: Path) -> None:
         assert stage.GetPrimAtPath(camera).GetTypeName() == "Camera"
         (image,) = product.GetOrderedVarsRel().GetTargets()
         assert UsdRender.Var(stage.GetPrimAtPath(image)).GetDataTypeAttr().Get() == data
+
+
+STATES = """
+robot: reach
+base: fixed
+states:
+  home: {shoulder: 30deg, slide: 0.1}
+  away: {slide: 0.2}
+model:
+- part: {name: base, link: {geometry: box, size: 0.2 0.2 0.1, mass: 4}}
+- part:
+    name: shoulder
+    joint: {type: revolute, parent: base, xyz: 0 0 0.1, axis: y, limit: {lower: -1, upper: 2, effort: 10, velocity: 3}}
+    link: {geometry: sphere, radius: 0.1, mass: 1}
+- part:
+    name: slide
+    joint: {type: prismatic, parent: shoulder, xyz: 0 0 0.3, axis: z, limit: {lower: 0, upper: 1, effort: 10, velocity: 3}}
+    link: {geometry: sphere, radius: 0.1, mass: 1}
+"""  # noqa: E501
+
+
+def test_states_are_named_poses(tmp_path: Path) -> None:
+    """In degrees and metres, with the place of the last link, as Isaac Sim's robot schema says."""
+    stage, build = stage_of(STATES, tmp_path)
+    (home, _) = stage.GetDefaultPrim().GetRelationship("isaac:robot:namedPoses").GetTargets()
+    prim = stage.GetPrimAtPath(home)
+    assert (str(home), prim.GetTypeName()) == ("/reach/Named_Poses/home", "IsaacNamedPose")
+
+    def targets(word: str) -> list[str]:
+        found = prim.GetRelationship(f"isaac:robot:pose:{word}").GetTargets()
+        return [path.name for path in found]
+
+    assert targets("joints") == ["shoulder_joint", "slide_joint"]
+    assert (targets("startLink"), targets("endLink")) == (["base_link"], ["slide_link"])
+    values = prim.GetAttribute("isaac:robot:pose:jointValues").Get()
+    assert list(values) == pytest.approx([30, 0.1])
+    # 0.3 + 0.1 m along an axis that leans by 30° about y, 0.1 m above the base.
+    x, z = 0.4 * np.sin(radians(30)), 0.1 + 0.4 * np.cos(radians(30))
+    assert list(prim.GetAttribute("xformOp:translate").Get()) == pytest.approx([x, 0, z])
+    turn = prim.GetAttribute("xformOp:orient").Get()
+    assert turn.GetReal() == pytest.approx(np.cos(radians(15)))
+    assert list(turn.GetImaginary()) == pytest.approx([0, np.sin(radians(15)), 0])
+    assert not build.losses

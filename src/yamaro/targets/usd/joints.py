@@ -12,7 +12,7 @@ from __future__ import annotations
 from math import degrees, inf
 from typing import TYPE_CHECKING
 
-from pxr import Gf, Sdf, Usd, UsdPhysics
+from pxr import Gf, Sdf, Usd, UsdPhysics, Vt
 
 from ...model.joint import (
     CONTINUOUS,
@@ -43,6 +43,8 @@ if TYPE_CHECKING:
     from .prims import Names
 
 KINDS = {PRISMATIC: UsdPhysics.PrismaticJoint, FIXED: UsdPhysics.FixedJoint}
+EQUALITY = {"solref": [0.004, 1.0], "solimp": [0.99, 0.999, 0.001, 0.5, 2.0]}
+"""How stiff it is that a joint follows another: in MJCF the same."""
 LOOPS = {
     "fixed": UsdPhysics.FixedJoint,
     "ball": UsdPhysics.SphericalJoint,
@@ -203,6 +205,16 @@ class JointWriter:
         prim.CreateLocalPos1Attr(Gf.Vec3f(*at_second.position))
         prim.CreateLocalRot1Attr(Gf.Quatf(quaternion_of(at_second)))
 
+    def path_of(self, name: str) -> str:
+        """Return the path of a joint of one number, or "" if it is not written."""
+        prim = self._prims.get(name)
+        return "" if prim is None else str(prim.GetPath())
+
+    def native(self, name: str, position: float) -> float:
+        """Return a position in the unit that USD has for a joint."""
+        is_linear = self._robot.joints[name].type == PRISMATIC
+        return position if is_linear else degrees(position)
+
     # --- resistance, followers ---
 
     def _resist(self, prim: UsdPhysics.RevoluteJoint, joint: Joint) -> None:
@@ -252,6 +264,10 @@ class JointWriter:
         set_values(prim, "NewtonMimicAPI", "newton", values, keeps_zeros=True)
         target = self._prims[leader.name].GetPath()
         prim.CreateRelationship("newton:mimicJoint", custom=False).SetTargets([target])
+        prim.AddAppliedSchema("MjcEqualityJointAPI")  # as stiff as in MJCF, for Newton's MuJoCo
+        for name, numbers in EQUALITY.items():
+            kind = Sdf.ValueTypeNames.DoubleArray
+            prim.CreateAttribute(f"mjc:{name}", kind, custom=False).Set(Vt.DoubleArray(numbers))
 
     def _places_in(self, joint: Joint) -> dict[str, Span]:
         """Return where the values of a joint are written, by their names in USD."""

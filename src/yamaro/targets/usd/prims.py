@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from pxr import Gf, Sdf, UsdGeom
+from pxr import Gf, Sdf, UsdGeom, Vt
 
 from ...model.pose import quaternion_from_rotation
 from ..elements import UsedNames, element
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from pxr import Usd
 
-    from ...model.extras import Loop, Sensor
+    from ...model.extras import Loop, Sensor, State
     from ...model.joint import Joint
     from ...model.link import Link
     from ...model.pose import Pose
@@ -119,14 +119,15 @@ class Names:
         return f"{around}/{self._used.fresh(around, plain)}"
 
     def told(
-        self, around: str, kind: str, name: str, owner: Link | Joint | Sensor | Loop,
+        self, around: str, kind: str, name: str, owner: Link | Joint | Sensor | Loop | State,
         part: Written | None = None,
     ) -> str:  # fmt: skip
         """Return the path of a new prim, and note it if its name is another one.
 
         Args:
             around: the path of the prim around it.
-            kind: what it is made of: `link`, `frame`, `joint`, `loop`, `sensor` or `material`.
+            kind: what it is made of: `link`, `frame`, `joint`, `loop`, `sensor`, `state` or
+                `material`.
             name: what that is called.
             owner: the same, or the link that has it.
             part: the part of that link.
@@ -156,3 +157,16 @@ def place(prim: UsdGeom.Xformable, pose: Pose, scale: tuple[float, ...] | None =
     xform.AddOrientOp(UsdGeom.XformOp.PrecisionDouble).Set(quaternion_of(pose))
     if scale is not None:
         xform.AddScaleOp(UsdGeom.XformOp.PrecisionDouble).Set(Gf.Vec3d(*scale))
+
+
+def place_by_name(prim: Usd.Prim, pose: Pose) -> None:
+    """Put a prim at a pose in the one around it, whose type is of another library."""
+    kinds = Sdf.ValueTypeNames
+    values = {
+        "xformOp:translate": (kinds.Double3, Gf.Vec3d(*pose.position)),
+        "xformOp:orient": (kinds.Quatd, quaternion_of(pose)),
+    }
+    for name, (kind, value) in values.items():
+        prim.CreateAttribute(name, kind, custom=False).Set(value)
+    order = prim.CreateAttribute("xformOpOrder", kinds.TokenArray, custom=False)
+    order.Set(Vt.TokenArray(list(values)))

@@ -2,7 +2,8 @@
 
 Isaac Sim's own types are prims without a library: `IsaacImuSensor`, `IsaacContactSensor` and
 `IsaacRaycastSensor`, which casts rays along x of its frame, or in the directions that it lists.
-Source: isaacsim.robot.schema of Isaac Sim 6.2, https://github.com/isaac-sim/IsaacSim.
+The rate of a camera is in Omniverse's `OmniSensorAPI`. Sources: isaacsim.robot.schema and the docs
+of Isaac Sim 6.2, https://github.com/isaac-sim/IsaacSim.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ from ...model.extras import Camera, Lidar, Ranger
 from ...model.pose import IDENTITY, Pose, rotation_from_rpy
 from ..holding import cones, lost_of_sensor, renamed_sensors
 from ..losses import Losses
-from .prims import place, quaternion_of
+from .prims import place, place_by_name
 
 if TYPE_CHECKING:
     from pxr import Usd
@@ -87,8 +88,6 @@ class SensorWriter:
             self.losses += lost_of_sensor(sensor, "usd")
             if isinstance(details, Camera):
                 self._camera(path, sensor, details)
-                if sensor.rate is not None:
-                    self.losses.lose("rates of cameras", sensor, field="rate")
                 continue
             self._of_isaac(path, sensor)
             if sensor.noise or sensor.noises:
@@ -103,6 +102,13 @@ class SensorWriter:
         camera.CreateVerticalApertureAttr(APERTURE * height / width)
         camera.CreateFocalLengthAttr(APERTURE / (2 * tan(details.fov / 2)))
         camera.CreateClippingRangeAttr(Gf.Vec2f(*details.clip))
+        if sensor.rate:
+            prim = camera.GetPrim()
+            prim.AddAppliedSchema("OmniSensorAPI")
+            ticks = prim.CreateAttribute(
+                "omni:sensor:tickRate", Sdf.ValueTypeNames.Float, custom=False
+            )
+            ticks.Set(sensor.rate)
         if not self._renders:
             self._renders = self._names.new(self._root, "renders")
             self._stage.DefinePrim(self._renders, "Scope")
@@ -118,15 +124,8 @@ class SensorWriter:
 
     def _of_isaac(self, path: str, sensor: Sensor) -> None:
         prim, kinds = self._stage.DefinePrim(path, TYPES[sensor.type]), Sdf.ValueTypeNames
-        if sensor.pose != IDENTITY:  # written by name, since its type is not known here
-            values = {
-                "xformOp:translate": (kinds.Double3, Gf.Vec3d(*sensor.pose.position)),
-                "xformOp:orient": (kinds.Quatd, quaternion_of(sensor.pose)),
-            }
-            for name, (kind, value) in values.items():
-                prim.CreateAttribute(name, kind, custom=False).Set(value)
-            order = prim.CreateAttribute("xformOpOrder", kinds.TokenArray, custom=False)
-            order.Set(Vt.TokenArray(list(values)))
+        if sensor.pose != IDENTITY:
+            place_by_name(prim, sensor.pose)
         if sensor.rate:
             period = prim.CreateAttribute("sensorPeriod", kinds.Float, custom=False)
             period.Set(1 / sensor.rate)

@@ -18,7 +18,7 @@ from ..losses import RENAMED, Loss, Losses
 from ..output import Output
 from .control import ACTUATORS, VARIANTS
 from .joints import JointWriter
-from .prims import NEWTON_SCHEMAS, Names, element_of, place, quaternion_of
+from .prims import NEWTON_SCHEMAS, Names, element_of, place, place_by_name, quaternion_of
 from .sensors import SensorWriter
 from .shapes import ShapeWriter
 
@@ -37,6 +37,8 @@ PLACEHOLDER = 1e-3
 SITE_RADIUS = 0.005
 """The radius, in metres, of the ball that shows a frame, which Newton's schema marks as a site."""
 
+NAMED_POSES = "Named_Poses"
+"""The scope that Isaac Sim has named poses in."""
 ROBOT = {"asset_type": "robot", "category": "robot", "qcode": "Q11012"}
 """What each robot is: the code is that of robots in Wikidata."""
 
@@ -87,6 +89,7 @@ class _Model:
         layer.customLayerData = {"newton-usd-schemas": NEWTON_SCHEMAS}
         name = robot.name or wanted.name
         self.root = self.names.new("", name)
+        self.names.new(self.root, NAMED_POSES)  # which no link can be called then
         new = self.root[1:]
         if new != name:
             span, label = robot.span_of("name"), f"robot '{name}'"
@@ -141,11 +144,52 @@ class _Model:
         self.files = self._shapes.files
         self.losses += self._shapes.losses
         self.losses += joints.losses
-        self.losses += lost_sections(robot, states=True, controls=True)
+        self._name_poses(joints)
+        self.losses += lost_sections(robot, controls=True)
         self.losses += foreign_losses(robot)
         self._describe(joints)
 
     # --- what the robot is ---
+
+    def _name_poses(self, joints: JointWriter) -> None:
+        """Write the states of the robot as named poses of Isaac Sim's robot schema."""
+        robot, kinds = self._robot, Sdf.ValueTypeNames
+        folder = f"{self.root}/{NAMED_POSES}"
+        written = []
+        for state in robot.states.values():
+            values = {
+                name: joints.native(name, position)
+                for name, position in state.positions.items()
+                if joints.path_of(name)
+            }
+            if not values:
+                self.losses.lose("states of joints that are not written", state)
+                continue
+            self.stage.DefinePrim(folder, "Scope")
+            path = self.names.told(folder, "state", state.name, state)
+            prim = self.stage.DefinePrim(path, "IsaacNamedPose")
+            last = robot.joints[list(values)[-1]]
+            end = self._bodies.carriers[last.child] or last.child
+            start = next(link for link in self._bodies.order if self._bodies.is_body(link.name))
+            ends = {"startLink": [self._paths[start.name]], "endLink": [self._paths[end]]}
+            ends["joints"] = [joints.path_of(name) for name in values]
+            for word, paths in ends.items():
+                relation = prim.CreateRelationship(f"isaac:robot:pose:{word}", custom=False)
+                relation.SetTargets(list(map(Sdf.Path, paths)))
+            pose = link_poses(robot, state.positions)[end]
+            place_by_name(prim, pose)
+            for word, kind, value in (
+                ("valid", kinds.Bool, True),
+                ("jointValues", kinds.FloatArray, Vt.FloatArray(list(values.values()))),
+                ("jointFixed", kinds.BoolArray, Vt.BoolArray([False] * len(values))),
+            ):
+                prim.CreateAttribute(f"isaac:robot:pose:{word}", kind, custom=False).Set(value)
+            written.append(Sdf.Path(path))
+            self.elements.append(element_of(prim, state))
+        if written:
+            root = self.stage.GetDefaultPrim()
+            relation = root.CreateRelationship("isaac:robot:namedPoses", custom=False)
+            relation.SetTargets(written)
 
     def _describe(self, joints: JointWriter) -> None:
         """Say what the robot consists of, for Isaac Sim, and what an asset says, for SimReady.
