@@ -1,13 +1,16 @@
 """Reads SDF, writes it as SDF again, and has Drake judge whether it is still the same robot.
 
     python bench/sdf_in.py FOLDER ... [--only REGEX] [--states N] [--show N] [--keep FOLDER]
+                           [--urdf] [--migrate] [--unread]
 
 Of every model of SDF in the folders that Drake reads, what Yamaro writes is read by Drake too, and
 compared by name: bodies, frames, joints, their limits and damping, poses at the start, and at
 random states poses, mass matrix and inverse dynamics; shapes of bodies. Then each value of the file
 is looked for in the text. A model is `equal` without a difference; `told` if it differs and
 something was reported; `silent` if it differs and nothing was; `fails` if nothing was written or
-Drake refuses it. What Drake does not read is compared as text only.
+Drake refuses it. What Drake does not read is compared as text only. With `--urdf`, what is written
+as URDF is read by pinocchio, and poses and mass matrix are compared with Drake's; with `--migrate`,
+the model goes through `yamaro migrate` and a build of the YAML.
 """
 
 from __future__ import annotations
@@ -19,6 +22,7 @@ import tempfile
 import traceback
 from collections import Counter
 from collections.abc import Iterator
+from multiprocessing import Pipe, Process
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -26,7 +30,13 @@ ROOT = Path(__file__).parents[1]
 sys.path.insert(0, str(ROOT))
 
 import yamaro  # noqa: E402 - after the path
-from tests.sources.sdf.same_sdf import RefusedError, Same, lost_texts  # noqa: E402
+from tests.sources.sdf.same_sdf import (  # noqa: E402
+    Loaded,
+    RefusedError,
+    Same,
+    faults_of_urdf,
+    lost_texts,
+)
 
 WANTS_REASON = False
 HARMLESS = re.compile("a world says|has \\d+ models|of a nested model|no version|missing-mesh")
@@ -54,11 +64,14 @@ def first_model(path: Path) -> str | None:
     return None
 
 
-def judged(path: Path, keep: Path, states: int) -> tuple[str, str, list[str]]:
+def judged(
+    path: Path, keep: Path, states: int, *, wants_urdf: bool = False, migrates: bool = False
+) -> tuple[str, str, list[str]]:
     """Return what became of a model, why, and what was reported."""
     reported: list[str] = []
     try:
-        build = yamaro.build(path, target="sdf", meshes="absolute", on_message=lambda _: None)
+        source = migrated(path) if migrates else path
+        build = yamaro.build(source, target="sdf", meshes="absolute", on_message=lambda _: None)
         text = build.xml()
     except yamaro.YamaroError as error:
         first = next(each for each in error.diagnostics if each.severity == "error")
@@ -83,18 +96,45 @@ def judged(path: Path, keep: Path, states: int) -> tuple[str, str, list[str]]:
         )
     except RefusedError as error:
         try:
-            from tests.sources.sdf.same_sdf import Loaded
-
             Loaded(path, model, [path.parent, path.parent.parent], has_shapes=False)
             return "fails", f"Drake refuses what is written: {error}", reported
         except RefusedError as why:
             unread = "unread "
             if WANTS_REASON:
                 print(f"    {path}: {why}")
+    if wants_urdf and not unread:
+        urdf = written.with_suffix(".urdf")
+        urdf.write_text(yamaro.build(path, meshes="none", on_message=lambda _: None).xml())
+        drake = Loaded(path, model, [path.parent, path.parent.parent], has_shapes=False)
+        faults += faults_of_urdf(drake, urdf, states)
     faults += lost_texts(path, written, model)
     if not faults:
         return f"{unread}equal", "", reported
     return f"{unread}{'told' if reported else 'silent'}", "; ".join(faults[:3]), reported
+
+
+def migrated(path: Path) -> Path:
+    """Return the YAML that a model is converted to, beside it."""
+    from yamaro.commands.main import main as run
+
+    made = path.with_name(f".{path.stem}-migrated.yaml")
+    run(["migrate", "-q", "--trust", "--force", str(path), "-o", str(made)])
+    return made
+
+
+def apart(path: Path, keep: Path, states: int, **wanted: bool) -> tuple[str, str, list[str]]:
+    """Judge a model in a process of its own, which Drake may end."""
+    mine, theirs = Pipe(duplex=False)
+    process = Process(target=lambda: theirs.send(judged(path, keep, states, **wanted)))
+    process.start()
+    theirs.close()
+    try:
+        return mine.recv() if mine.poll(120) else ("unjudged", "it takes too long", [])
+    except EOFError:
+        return "unjudged", "Drake ends the process", []
+    finally:
+        process.kill()
+        process.join()
 
 
 def main() -> None:
@@ -105,6 +145,8 @@ def main() -> None:
     parser.add_argument("--states", type=int, default=20)
     parser.add_argument("--show", type=int, default=1000)
     parser.add_argument("--keep", type=Path)
+    parser.add_argument("--urdf", action="store_true")
+    parser.add_argument("--migrate", action="store_true")
     parser.add_argument("--unread", action="store_true", help="print why Drake does not read")
     wanted = parser.parse_args()
     global WANTS_REASON
@@ -116,10 +158,9 @@ def main() -> None:
         for path in models(wanted.folders):
             if not re.search(wanted.only, str(path)):
                 continue
-            try:
-                kind, why, reported = judged(path, keep, wanted.states)
-            except Exception as error:
-                kind, why, reported = "unjudged", f"{type(error).__name__} {error}"[:200], []
+            kind, why, reported = apart(
+                path, keep, wanted.states, wants_urdf=wanted.urdf, migrates=wanted.migrate
+            )
             counts[kind] += 1
             if not kind.endswith("equal") and wanted.show > 0:
                 wanted.show -= 1

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure
 from ..xml.robot_names import RobotNames
-from ..xml.tree import Element, IncludedRobot, RobotNote, Text
+from ..xml.tree import Element, IncludedRobot, RawBlock, RobotNote, Text
 from .fields import POSE_KEYS, POSE_ROWS
 from .joint import lower_joint
 from .lowering import names_of
@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from .lowering import Lowering
 
 KEYS = ("path", "body", "to", "at", *POSE_ROWS, "prefix", "joint", "arguments")
+OF_STAND = {"sdf": frozenset(("pose", "static"))}
+"""What blocks say, by their formats, of where a robot stands, which an attached one does not."""
 _OWN_JOINT_KEYS = POSE_KEYS | {"parent", "child", "name"}
 
 
@@ -102,7 +104,10 @@ def _with_prefix(lowering: Lowering, robot: Element, prefix: str) -> list[Node]:
         if not isinstance(node, Element):
             nodes.append(node)
             continue
-        copy = copy_of(lowering.outermost(node))
+        standing = _without_stand(node) if isinstance(node, RawBlock) else node
+        if standing is None:
+            continue
+        copy = copy_of(lowering.outermost(standing))
         has_own = isinstance(copy.body, IncludedRobot) and copy.body.prefix
         copy.body = copy.body.within(prefix) if has_own else own  # type: ignore[attr-defined]
         nodes.append(copy)
@@ -113,6 +118,13 @@ def _with_prefix(lowering: Lowering, robot: Element, prefix: str) -> list[Node]:
             if isinstance(copy, RobotNote) and copy.name == "ros2_control":
                 copy.attributes.setdefault("name", f"{prefix}system")
     return nodes
+
+
+def _without_stand(block: RawBlock) -> RawBlock | None:
+    """Return a block without what it says of where the robot stands; None if nothing is left."""
+    names = OF_STAND.get(block.name, ())
+    rest = [node for node in block.children if getattr(node, "name", "") not in names]
+    return block.with_children(rest) if rest else None  # type: ignore[return-value]
 
 
 # --- the mount --------------------------------------------------------------------------------

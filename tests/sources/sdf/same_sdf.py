@@ -402,7 +402,8 @@ def _lost_in(one: etree._Element, other: etree._Element, path: str, found: list[
     for name, value in one.attrib.items():
         if name in ("name", "relative_to", "expressed_in", "frame", "type"):
             continue
-        if theirs.get(_plain(name)) != value and not name.startswith("xmlns"):
+        is_same = _equal(name, value, theirs.get(_plain(name)))
+        if not is_same and not name.startswith("xmlns"):
             found.append(f"{path}@{name}={value}")
     kind = one.get("type")
     if kind and other.get("type") not in (kind, TYPES.get(kind)):
@@ -476,3 +477,78 @@ def _equal(tag: str, one: str, other: str | None) -> bool:
         or (tag in ("diffuse", "ambient") and b == min(max(a, 0), 1))
         for a, b in zip(first, second, strict=True)
     )
+
+
+# --- URDF ---------------------------------------------------------------------------------------
+
+
+def faults_of_urdf(drake: Loaded, urdf: Path, states: int = 20) -> list[str]:
+    """Return where pinocchio, which reads the URDF of a model, disagrees with Drake.
+
+    Compared are the poses of all links and frames from the root, the mass matrix of the joints, and
+    the total mass. Joints that float are at their origin.
+    """
+    import pinocchio as pin
+
+    try:
+        model = pin.buildModelFromUrdf(str(urdf))
+    except (ValueError, RuntimeError) as error:
+        return [f"pinocchio: {str(error).splitlines()[0][:120]}"]
+    data = model.createData()
+    known = set(model.names)
+    _call_alike(drake.joints, dict.fromkeys(known))
+    joints = {}
+    for name, joint in drake.joints.items():
+        if joint.num_velocities() == 1:
+            found = name if name in known else joint.name()
+            if found not in known:
+                return [f"no joint '{name}'"]
+            joints[found] = joint
+    floating = [each for each in model.joints if each.nv == 6]
+    frames = {name: each for name, each in drake.frames.items() if model.existFrame(name)}
+    random = np.random.default_rng(5)
+    root = model.frames[1].name
+    for _ in range(states):
+        q, positions = pin.neutral(model), np.zeros(drake.plant.num_positions())
+        for body in drake.plant.GetFloatingBaseBodies():
+            positions[drake.plant.get_body(body).floating_positions_start()] = 1.0
+        for name, joint in joints.items():
+            mine = model.joints[model.getJointId(name)]
+            value = random.uniform(-1, 1)
+            row = [value] if mine.nq == 1 else [np.cos(value), np.sin(value)]
+            q[mine.idx_q : mine.idx_q + mine.nq] = row
+            positions[joint.position_start()] = value
+        drake.plant.SetPositions(drake.context, positions[:, None])
+        pin.framesForwardKinematics(model, data, q)
+        poses = {
+            name: data.oMf[model.getFrameId(name, pin.FrameType.BODY)].homogeneous
+            for name in (root, *frames)
+        }
+        base = np.eye(4) if root not in drake.frames else drake.pose(drake.frames[root])
+        for name, frame in frames.items() if not floating else ():
+            mine = np.linalg.inv(poses[root]) @ poses[name]
+            theirs = np.linalg.inv(base) @ drake.pose(frame)
+            off = np.abs(mine - theirs).max()
+            if off > TOLERANCE * max(1, np.abs(theirs).max()):
+                return [f"pose of {name} in URDF: off by {off:.1e}"]
+        if not joints:
+            continue
+        mass = pin.crba(model, data, q)
+        mass = np.triu(mass) + np.triu(mass, 1).T
+        order = [model.joints[model.getJointId(name)].idx_v for name in joints]
+        rows = [joint.velocity_start() for joint in joints.values()]
+        theirs = drake.plant.CalcMassMatrix(drake.context)[np.ix_(rows, rows)]
+        rotors = np.diag([_rotor(drake, joint) for joint in joints.values()])
+        off = np.abs(mass[np.ix_(order, order)] + rotors - theirs).max()
+        if off > TOLERANCE * np.abs(theirs).max():
+            return [f"mass matrix in URDF: off by {off:.1e}"]
+    return []
+
+
+def _rotor(drake: Loaded, joint: Any) -> float:
+    """Return what the rotor of a joint adds to the mass matrix, which URDF cannot hold."""
+    for index in drake.plant.GetJointActuatorIndices():
+        each = drake.plant.get_joint_actuator(index)
+        if each.joint() is joint:
+            return float(each.default_rotor_inertia() * each.default_gear_ratio() ** 2)
+    return 0.0

@@ -356,7 +356,9 @@ class Document:
                 hint="links, joints, frames and models of one model need different names",
                 notes=[f"the first is at {first.element.value_span('name').place()}"],
             )
-        elif name == WORLD or (name.startswith("__") and name.endswith("__")):
+        elif (name == WORLD and anchor.kind != JOINT) or (
+            name.startswith("__") and name.endswith("__")
+        ):
             self._reading.fail(
                 "bad-sdf",
                 f"the name '{name}' is reserved",

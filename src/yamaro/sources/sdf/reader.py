@@ -65,6 +65,7 @@ class _Robot:
         self._scopes = choice.scope.all_scopes()
         self._names: dict[object, str] = {}
         self._taken: set[str] = set()
+        self._colors: dict[object, str] = {}
         self._links: list[Anchor] = []
         self._joints: list[Anchor] = []
         self._explicit: list[Anchor] = []
@@ -250,6 +251,8 @@ class _Robot:
             if joint in by_joint:
                 self._join(by_joint[joint], parts)
         for link in self._links:
+            if link in parts.above:
+                parts.links.append(parts.above[link])
             if has_world and link in roots:
                 self._hold(link, parts)
             self._read_link(link, parts)
@@ -297,7 +300,7 @@ class _Robot:
         parts.joints.append(made)
         if put.rest is not IDENTITY:
             place = self._reading.place(edge.joint.element.span)
-            parts.links.append(making.element("link", place, {"name": bottom}))
+            parts.above[edge.bottom] = making.element("link", place, {"name": bottom})
             fixed = self._new(f"{name}_offset")
             parts.joints.append(self._fixed(fixed, bottom, between, put.rest, edge.joint.element))
         home = (
@@ -344,7 +347,7 @@ class _Robot:
         """Add a link with its mass and its shapes."""
         reading, name, element = self._reading, self._names[link], link.element
         check_words(reading, element)
-        shapes = Shapes(reading, name)
+        shapes = Shapes(reading, name, self._colors)
         kept: list[Element] = []
         collisions: list[tuple[Element, Pose]] = []
         for child in element.elements():
@@ -480,6 +483,7 @@ class _Parts:
 
     Attributes:
         links, joints: in the order of the document.
+        above: the links without mass that joints move, by the links that are fixed to them.
         frames: the links without mass that are frames, each after its joint.
         notes: surfaces, sensors, loops and the base.
         sensors: the sensors, each with its pose, LINK or JOINT and the name of that.
@@ -490,6 +494,7 @@ class _Parts:
     def __init__(self) -> None:
         self.links: list[Element] = []
         self.joints: list[Element] = []
+        self.above: dict[Anchor, Element] = {}
         self.frames: list[Element] = []
         self.notes: list[RobotNote] = []
         self.sensors: list[tuple[Element, Pose, str, str]] = []

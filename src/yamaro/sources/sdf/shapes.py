@@ -61,9 +61,17 @@ class Shapes:
         notes: the surfaces of the collisions.
     """
 
-    __slots__ = ("_counts", "_link", "_names", "_reading", "elements", "kept", "notes")
+    __slots__ = ("_colors", "_counts", "_link", "_names", "_reading", "elements", "kept", "notes")
 
-    def __init__(self, reading: Reading, link: str) -> None:
+    def __init__(self, reading: Reading, link: str, colors: dict[object, str]) -> None:
+        """Begin with a link.
+
+        Args:
+            reading: reads the values.
+            link: its name.
+            colors: the names of the robot's materials, by what they are.
+        """
+        self._colors = colors
         self._reading = reading
         self._link = link
         self._names: set[str] = set()
@@ -211,8 +219,19 @@ class Shapes:
             return []
         table["material"] = held
         place = reading.place(material.span)
-        name = f"{self._link}_{len(self.elements) + 1}"
+        name = self._name_of((color, content(texture)))
         return [making.element("material", place, {"name": name}, children)]
+
+    def _name_of(self, look: object) -> str:
+        """Return the name of a material, which SDF has not: as `color` in YAML is named."""
+        name = self._colors.get(look)
+        if name is None:
+            stem, count = f"{self._link}_color", 2
+            name = stem
+            while name in self._colors.values():
+                name, count = f"{stem}_{count}", count + 1
+            self._colors[look] = name
+        return name
 
     # --- surfaces ---
 

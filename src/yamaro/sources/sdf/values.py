@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from math import inf, isfinite, radians
+import re
+from math import inf, isfinite, isnan, nan, radians
 
 from ...diagnostics import WARNING, Diagnostic, Frame, YamaroError, did_you_mean
 from ...model.making import Place
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
 
 UNLIMITED = 1e16
 """From this number on SDFormat takes a limit for none. Source: joint.sdf."""
+_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 TRUTHS = {"true": True, "1": True, "false": False, "0": False}
 
 
@@ -104,19 +106,24 @@ class Reading:
 
     def row(self, element: Element, counts: Iterable[int]) -> tuple[float, ...] | None:
         """Return the numbers in an element, as many as one of the counts; None if they are not."""
-        text = content(element) or ""
-        words, found = text.split(), []
-        for word in words:
-            try:
-                number = float(word) if "_" not in word else None
-            except ValueError:
-                number = None
-            if number is None or number != number:
+        words, found = (content(element) or "").split(), []
+        for index, word in enumerate(words):
+            number = _number(word)
+            if number is None and len(words) == 1 and (prefix := _NUMBER.match(word)):
+                rest = word[prefix.end() :]
+                if not any(map(str.isalnum, rest)):
+                    number = float(prefix[0])
+                    self.warn(
+                        "sdf-assumed",
+                        f"'{rest}' after the number in <{element.name}> is passed over",
+                        text_span(element),
+                        hint=f"write {prefix[0]}",
+                    )
+            if number is None:
                 self.fail(
                     "bad-sdf",
                     f"'{word}' in <{element.name}> is not a number",
-                    text_span(element),
-                    hint="write 0 if it is not known" if not word[:1].isdigit() else None,
+                    _word_span(element, index),
                 )
                 return None
             found.append(number)
@@ -235,6 +242,24 @@ class Reading:
                 hint=f'write <{element.name} name="…">',
             )
         return found
+
+
+def _number(word: str) -> float | None:
+    """Return the number that a word is, or None."""
+    try:
+        number = float(word) if "_" not in word and word.isascii() else nan
+    except ValueError:
+        return None
+    return None if isnan(number) else number
+
+
+def _word_span(element: Element, index: int) -> Span:
+    """Return where a word in the text of an element is written."""
+    span = text_span(element)
+    found = list(re.finditer(r"\S+", span.source.text[span.start : span.end]))
+    if index >= len(found):
+        return span
+    return Span(span.source, span.start + found[index].start(), span.start + found[index].end())
 
 
 def text_span(element: Element) -> Span:
