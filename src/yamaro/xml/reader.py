@@ -14,6 +14,9 @@ if TYPE_CHECKING:
     from typing import Any
 
 
+_OF_SDF = re.compile(r"<sdf[\s>]")
+_LATE_DECLARATION = re.compile(r"\A\s+<\?xml\s[^>]*?\?>")
+_COMMENT = re.compile(r"<!--(.*?)-->", re.DOTALL)
 _DECLARATION = re.compile(r"<\?xml\s[^>]*?\?>")
 _ENCODING = re.compile(rb"""<\?xml\s[^>]*?\bencoding\s*=\s*["']([A-Za-z][A-Za-z0-9._-]*)["']""")
 _BYTE_ORDER_MARKS = (
@@ -124,7 +127,30 @@ def read_xml(source: Source, limits: Limits | None = None, *, exact: bool = Fals
             declares what other parsers would read from elsewhere, or a limit is passed.
     """
     source.is_xml = True
-    return _Reader(source, limits or Limits(), exact).read()
+    limits = limits or Limits()
+    try:
+        return _Reader(source, limits, exact, source.text).read()
+    except YamaroError as error:
+        # Gazebo's parser takes these faults, so that its users do not see them.
+        if error.diagnostics[0].code != "xml-syntax" or not _OF_SDF.search(source.text):
+            raise
+        mended = _mended(source.text)
+        if mended == source.text:
+            raise
+    return _Reader(source, limits, exact, mended).read()
+
+
+def _mended(text: str) -> str:
+    """Return a text of the same length without `--` in comments, and space before `<?xml`."""
+    text = _LATE_DECLARATION.sub(lambda found: " " * len(found[0]), text)
+
+    def comment(found: re.Match[str]) -> str:
+        body = found[1]
+        if "--" in body:
+            body = body.replace("--", "- ").replace("--", "- ")
+        return f"<!--{body[:-1]} -->" if body.endswith("-") else f"<!--{body}-->"
+
+    return _COMMENT.sub(comment, text)
 
 
 class TagSpan(Span):
@@ -173,8 +199,9 @@ def _count(data: bytes) -> int:
 class _Reader:
     """Builds the tree while expat reads."""
 
-    def __init__(self, source: Source, limits: Limits, exact: bool) -> None:
+    def __init__(self, source: Source, limits: Limits, exact: bool, text: str) -> None:
         self._source = source
+        self._whole = text  # what is read: of the same length as that of the source
         self._exact = exact
         self._is_cdata = False
         self._prefixes = {"xml": 1}  # how many of the open elements declare each
@@ -194,7 +221,7 @@ class _Reader:
     def read(self) -> XmlDocument:
         from pyexpat import ExpatError
 
-        text = self._source.text
+        text = self._whole
         declaration = _DECLARATION.match(text)
         if declaration:  # its encoding is no longer that of the text, and its version is nobody's
             text = " " * declaration.end() + text[declaration.end() :]

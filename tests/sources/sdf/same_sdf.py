@@ -387,8 +387,8 @@ def _like(child: etree._Element, around: etree._Element) -> etree._Element | Non
         tag = "{*}" + _plain(tag)
     if tag == "plugin":
         for each in around.iterchildren(tag):
-            if sorted("".join(each.itertext()).split()) == sorted(
-                "".join(child.itertext()).split()
+            if sorted("".join(each.itertext("*")).split()) == sorted(
+                "".join(child.itertext("*")).split()
             ) and dict(each.attrib) == dict(child.attrib):
                 return each
     for each in around.iterchildren(tag):

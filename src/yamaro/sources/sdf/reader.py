@@ -5,10 +5,12 @@ from __future__ import annotations
 import re
 
 from ...model import making
+from ...model.extras import CAMERAS
 from ...model.joint import FIXED, FLOATING
 from ...model.kinematics import WORLD
 from ...model.pose import IDENTITY, Pose
 from ...model.reading import read_robot
+from ...model.recognition import OPTICAL
 from ...model.values import attribute_text, child_named, content
 from ...xml.tree import Element, RobotNote, Text
 from ...xml.values import format_value
@@ -169,6 +171,16 @@ class _Robot:
             return self._reading.truth(include, "static")
         return self._reading.truth(self._scope.element, "static")
 
+    def _stands(self, link: Anchor) -> bool:
+        """Return whether a link is in a nested model that is static."""
+        scope: Scope | None = link.scope
+        while scope is not None and scope is not self._scope:
+            for says in (scope.include, scope.element):
+                if says is not None and child_named(says, "static") is not None:
+                    return self._reading.truth(says, "static")
+            scope = scope.outer
+        return False
+
     # --- joints ---
 
     def _edges(self) -> list[Edge]:
@@ -242,6 +254,7 @@ class _Robot:
         start = compose(self._world, self._frames.pose(roots[0])) if roots else IDENTITY
         in_world = any(each.top is None for each in tree.edges.values())
         has_world = in_world or len(roots) > 1 or (self._is_static and start != IDENTITY)
+        has_world = has_world or (not self._is_static and any(map(self._stands, roots)))
         place = reading.place(scope.element.span, {"name": scope.element.value_span("name")})
         parts = _Parts()
         if has_world:
@@ -275,9 +288,10 @@ class _Robot:
             )
             if start != IDENTITY:
                 parts.kept.insert(0, _pose_element(start, scope.pose_element() or scope.element))
-        elements = [*parts.links, *parts.joints, *parts.frames]
-        made = making.element("robot", place, {"name": self._choice.name or "robot"}, elements)
-        self._read_sensors(made, parts)
+        name = self._choice.name or "robot"
+        self._read_sensors(making.element("robot", place, {"name": name}, parts.elements()), parts)
+        elements = parts.elements()
+        made = making.element("robot", place, {"name": name}, elements)
         for element in elements:
             kept = parts.kept_in.get((element.name, str(element.attributes["name"])), [])
             element.children += block_of(reading, element.span, kept)
@@ -317,7 +331,7 @@ class _Robot:
     def _hold(self, link: Anchor, parts: _Parts) -> None:
         """Join the root of a tree to the world: it is free, or does not move in a static model."""
         name, pose = self._names[link], compose(self._world, self._frames.pose(link))
-        kind = FIXED if self._is_static else FLOATING
+        kind = FIXED if self._is_static or self._stands(link) else FLOATING
         made = self._fixed(self._new(f"{name}_{kind}"), WORLD, name, pose, link.element, kind)
         parts.joints.append(made)
 
@@ -340,8 +354,10 @@ class _Robot:
     def _add_frame(self, name: str, link: str, pose: Pose, owner: Element, parts: _Parts) -> None:
         """Add a frame: a link without mass."""
         place = self._reading.place(owner.span, {"name": owner.value_span("name")})
-        parts.frames.append(self._fixed(self._new(f"{name}_joint"), link, name, pose, owner))
-        parts.frames.append(making.element("link", place, {"name": name}))
+        home = parts.homes[name] = parts.homes.get(link, link)
+        joint = self._fixed(self._new(f"{name}_joint"), link, name, pose, owner)
+        made = making.element("link", place, {"name": name})
+        parts.frames.setdefault(home, []).append((joint, made))
 
     def _read_link(self, link: Anchor, parts: _Parts) -> None:
         """Add a link with its mass and its shapes."""
@@ -419,15 +435,50 @@ class _Robot:
     # --- sensors, and what is kept of models ---
 
     def _read_sensors(self, robot: Element, parts: _Parts) -> None:
-        """Note the sensors, and keep what the model does not hold of them."""
+        """Note the sensors, and keep what the model does not hold of them.
+
+        A sensor that is not at its link has a frame of its name, and a camera an optical one, as
+        those have that are written in YAML.
+        """
         if not parts.sensors:
             return
-        reader = Sensors(self._reading, read_robot(robot))
+        reader, names = Sensors(self._reading, read_robot(robot)), set(self._taken)
         for sensor, pose, kind, home in parts.sensors:
-            kept = reader.add(sensor, pose, home)
+            wanted = (attribute_text(sensor, "name") or "").strip() or f"{home}_sensor"
+            name, count = wanted, 1
+            while name in names:
+                name = f"{home}_{wanted}" if count == 1 else f"{home}_{wanted}_{count}"
+                count += 1
+            note, kept = reader.add(sensor, pose, home, name)
             if kept is not None:
                 parts.kept_in.setdefault((kind, home), []).append(kept)
-        parts.notes += reader.notes
+            if note is None:
+                continue
+            names.add(name)
+            self._taken.add(name)
+            parts.notes.append(note)
+            if kind == LINK:
+                self._frame_of_sensor(note, pose, home, sensor, parts)
+
+    def _frame_of_sensor(
+        self, note: RobotNote, pose: Pose, home: str, sensor: Element, parts: _Parts
+    ) -> None:
+        """Give a sensor a frame of its name if it is not at its link."""
+        given, name = note.attributes, str(note.attributes["name"])
+        if "xyz" in given:
+            inner = child_named(sensor, "camera")
+            own = self._reading.pose(child_named(inner, "pose")) if inner is not None else IDENTITY
+            del given["xyz"], given["rpy"]
+            given["frame"] = name
+            self._add_frame(name, home, compose(pose, own), sensor, parts)
+        if given["type"] in CAMERAS:
+            optical = self._new(f"{name}_optical")
+            turned = Pose(OPTICAL)
+            self._add_frame(optical, str(given["frame"]), turned, sensor, parts)
+            if optical == f"{name}_optical":
+                del given["optical_frame"]
+            else:
+                given["optical_frame"] = optical
 
     def _keep_of_models(self, parts: _Parts) -> None:
         """Keep what models say besides links, joints and frames."""
@@ -442,7 +493,7 @@ class _Robot:
                     kept = [own, *(each for each in kept if each.name != "static")]
             if scope is not self._scope:
                 for each in kept:
-                    if each.name in OF_ONE_MODEL and self._says_more(each):
+                    if each.name in OF_ONE_MODEL - {"static"} and self._says_more(each):
                         self._reading.warn(
                             "sdf-lost",
                             f"<{each.name}> of the nested model '{'::'.join(scope.path())}' is "
@@ -484,7 +535,9 @@ class _Parts:
     Attributes:
         links, joints: in the order of the document.
         above: the links without mass that joints move, by the links that are fixed to them.
-        frames: the links without mass that are frames, each after its joint.
+        frames: the links without mass that are frames, each with its joint, by the links that they
+            are in.
+        homes: the links that frames are in.
         notes: surfaces, sensors, loops and the base.
         sensors: the sensors, each with its pose, LINK or JOINT and the name of that.
         kept: what the model does not hold of the robot as a whole.
@@ -495,11 +548,30 @@ class _Parts:
         self.links: list[Element] = []
         self.joints: list[Element] = []
         self.above: dict[Anchor, Element] = {}
-        self.frames: list[Element] = []
+        self.frames: dict[str, list[tuple[Element, Element]]] = {}
+        self.homes: dict[str, str] = {}
         self.notes: list[RobotNote] = []
         self.sensors: list[tuple[Element, Pose, str, str]] = []
         self.kept: list[Element] = []
         self.kept_in: dict[tuple[str, str], list[Element]] = {}
+
+    def elements(self) -> list[Element]:
+        """Return links, each before the frames in it, and then the joints in the same way."""
+        links, joints = [], []
+        moved = {str(_end_of(joint, "child")): joint for joint in self.joints}
+        for link in self.links:
+            frames = self.frames.get(str(link.attributes["name"]), [])
+            links += [link, *(frame for _, frame in frames)]
+            if link.attributes["name"] not in moved:
+                joints += [joint for joint, _ in frames]
+        for name, joint in moved.items():
+            joints += [joint, *(inner for inner, _ in self.frames.get(name, []))]
+        return [*links, *joints]
+
+
+def _end_of(joint: Element, end: str) -> object:
+    """Return the link at an end of a joint."""
+    return next(each.attributes["link"] for each in joint.elements() if each.name == end)
 
 
 def _pose_element(pose: Pose, owner: Element) -> Element:

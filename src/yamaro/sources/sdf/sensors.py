@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from ...model.recognition import DEFAULT_TOPIC, TYPES, GazeboSensors
-from ...model.values import attribute_text, child_named, content
+from ...model.recognition import DEFAULT_TOPIC, GazeboSensors
+from ...model.values import attribute_text, content
 from ...xml.tree import Element, RobotNote
-from .kept import kept_of, placed
+from .kept import kept_of, leaf, placed
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -62,45 +62,49 @@ USUAL = {
 
 
 class Sensors:
-    """Reads the sensors of a robot.
+    """Reads the sensors of a robot."""
 
-    Attributes:
-        notes: those that the model has.
-    """
-
-    __slots__ = ("_reader", "_reading", "notes")
+    __slots__ = ("_reader", "_reading")
 
     def __init__(self, reading: Reading, robot: Robot) -> None:
         """Begin with a robot that has all links and joints."""
         self._reading = reading
         self._reader = GazeboSensors(robot, set())
-        self.notes: list[RobotNote] = []
 
-    def add(self, sensor: Element, pose: Pose, home: str) -> Element | None:
-        """Read a sensor; return what is kept of it for SDF.
+    def add(
+        self, sensor: Element, pose: Pose, home: str, name: str
+    ) -> tuple[RobotNote | None, Element | None]:
+        """Read a sensor; return its note, and what is kept of it for SDF.
 
         Args:
             sensor: the `<sensor>`.
             pose: where it is in its link or joint.
             home: the name of its link or joint.
+            name: what it is called.
         """
         moved = placed(sensor, pose)
+        moved.attributes = {**sensor.attributes, "name": name}
         before = len(self._reader.notes)
         self._reader.add(moved, self._reading.trace(sensor.span), home)
         made = self._reader.notes[before:]
         if len(made) != 1:
             del self._reader.notes[before:]
-            return moved
-        note = made[0]
-        kind, name = str(note.attributes["type"]), str(note.attributes["written_name"])
-        self.notes.append(
-            RobotNote(
-                "sensor", note.span, note.attributes, note.children, note.trace, note.value_spans
-            )
-        )
-        if kind == "lidar" and note.attributes.get("rows") == "1":
+            moved.attributes = sensor.attributes
+            return None, moved
+        given = made[0].attributes
+        has_noise = given.pop("noises", None) is None and "noise" in given
+        kind = str(given["type"])
+        if kind == "lidar" and given.get("rows") == "1":
             kind = "row"
-        return self._kept(sensor, kind, name, has_noise="noise" in note.attributes)
+        del given["written_name"]
+        note = RobotNote("sensor", made[0].span, given, [], made[0].trace, made[0].value_spans)
+        kept = self._kept(sensor, kind, name, has_noise=has_noise)
+        written = (attribute_text(sensor, "name") or "").strip()
+        if written and written != name:  # it is called so in SDF, where names are of a link
+            if kept is None:
+                kept = Element("sensor", sensor.span, {"name": name})
+            kept.children.append(leaf("name", written, sensor.value_span("name")))
+        return note, kept
 
     def _kept(self, sensor: Element, kind: str, name: str, *, has_noise: bool) -> Element | None:
         held: dict[str, bool | Held] = {
@@ -155,13 +159,3 @@ def _without_usual(element: Element, *, has_noise: bool) -> Element | None:
     return Element(
         element.name, element.span, attributes, children, element.trace, element.value_spans
     )
-
-
-def pose_of(sensor: Element) -> Element | None:
-    """Return the `<pose>` of a sensor."""
-    return child_named(sensor, "pose")
-
-
-def is_known(sensor: Element) -> bool:
-    """Return whether the model has sensors of a type."""
-    return (attribute_text(sensor, "type") or "") in TYPES

@@ -55,6 +55,11 @@ def _put_into(old: Element, new: Element) -> Element:
     else:
         result = merged(old, new.elements())
     result.attributes = {**old.attributes, **new.attributes}
+    if result.name == "sensor":  # its name in SDF, where sensors of two links may have one
+        for child in result.elements():
+            if child.name == "name":
+                result.attributes["name"] = child.text().strip()
+                result.children.remove(child)
     return result
 
 

@@ -150,9 +150,7 @@ def surface_of(surface: Surface | None, more: Iterable[tuple[str, Element]] = ()
     return element("surface", children=parts, owner=surface)
 
 
-def sensor_of(
-    sensor: Sensor, *, frame: str | None, collisions: list[str], version: str, name: str = ""
-) -> Element:
+def sensor_of(sensor: Sensor, *, frame: str | None, collisions: list[str], version: str) -> Element:
     """Return a sensor of a link or joint.
 
     Args:
@@ -160,7 +158,6 @@ def sensor_of(
         frame: the frame that it measures in, if it is not that of its link or joint.
         collisions: the names of its link's collisions.
         version: of SDFormat; 1.12 can name the frame of what is measured.
-        name: what it is called, if not as in the robot.
     """
     content = [
         *pose_of(sensor.pose, frame),
@@ -168,7 +165,7 @@ def sensor_of(
         *given(("frame_id", sensor.frame if version == "1.12" else None)),
         *details_of(sensor, collisions, has_optical=version != "1.9"),
     ]
-    attributes: Attributes = {"name": name or sensor.name, "type": type_of(sensor)}
+    attributes: Attributes = {"name": sensor.name, "type": type_of(sensor)}
     return element("sensor", attributes, children=content, owner=sensor)
 
 

@@ -59,8 +59,7 @@ class _Model:
         self._raw = RawXmlOf(robot, "sdf")
         self._copier = SensorCopier(self._version, self._losses)
         self._copied = self._blocks.copied_sensors()
-        self._sensor_names = self._names_of_sensors()
-        self._losses += renamed_sensors(robot, but=self._copied | self._sensor_names.keys())
+        self._losses += renamed_sensors(robot, but=self._copied)
         self._losses += cones(robot, but=self._copied)
         self._shapes = Shapes(robot, wanted, self._names, self._blocks, self._losses)
         self._joint_writer = JointWriter(
@@ -122,14 +121,6 @@ class _Model:
             for kind, known in (("link", self._names.links), ("joint", self._names.joints))
         }
         return Output(root, self._losses, names=names)
-
-    def _names_of_sensors(self) -> dict[str, str]:
-        """Return the names of sensors as they are written, where these are unique in a body."""
-        homes: dict[tuple[str | None, str], list[Sensor]] = {}
-        for sensor in self._robot.sensors.values():
-            body = self._bodies.carriers.get(sensor.link or "", sensor.link) or sensor.joint
-            homes.setdefault((body, sensor.written_name), []).append(sensor)
-        return {each[0].name: each[0].written_name for each in homes.values() if len(each) == 1}
 
     # --- links and frames ---
 
@@ -207,10 +198,7 @@ class _Model:
         frame = None if home in (None, body) else self._names.links.get(str(home))
         if sensor.type == "contact" and sensor.noise:
             self._losses.lose("noise of contact sensors", sensor, field="noise")
-        name = self._sensor_names.get(sensor.name, "")
-        return sensor_of(
-            sensor, frame=frame, collisions=collisions, version=self._version, name=name
-        )
+        return sensor_of(sensor, frame=frame, collisions=collisions, version=self._version)
 
     # --- joints ---
 
