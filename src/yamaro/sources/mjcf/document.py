@@ -189,6 +189,7 @@ def _check(root: Element, around: str, errors: list[YamaroError]) -> None:
 def _unknown_element(element: Element, around: str) -> YamaroError:
     home = _SAME.get(around, around)
     known = [key.partition("/")[2] for key in ATTRIBUTES if key.startswith(f"{home}/")]
+    known += [BODY] if home == BODY else []
     others = [key.partition("/")[0] for key in ATTRIBUTES if key.endswith(f"/{element.name}")]
     hint: str | None = did_you_mean(element.name, known)
     if not hint and others:
