@@ -1,7 +1,8 @@
 """Reads MJCF, writes it as MJCF again, and has MuJoCo judge whether it is still the same.
 
     python bench/mjcf_in.py FOLDER ... [--only REGEX] [--every N] [--show N] [--fields] [--jobs N]
-                            [--seconds N] [--keep FOLDER] [--migrate] [--table FILE]
+                            [--seconds N] [--keep FOLDER] [--migrate | --urdf | --times]
+                            [--table FILE]
 
 Of every MJCF in the folders that MuJoCo compiles as it is, what Yamaro writes is compiled too, and
 compared by name at 20 random states: the numbers of positions, velocities and controls, bodies'
@@ -10,7 +11,10 @@ poses of sites. A model is `equal` if all differences are below 1e-9 of the grea
 if it differs and something but notes on shapes was reported; `silent` if it differs and nothing
 was; `fails` if nothing was written or MuJoCo refuses it. `--fields` also counts other values of
 models that differ, such as friction of geoms. `--migrate` goes through `yamaro migrate` and a
-build of the YAML.
+build of the YAML. `--urdf` writes URDF instead, where it is fixed or free as the model is, and
+compares what pinocchio makes of it: poses of links, mass matrix, inverse dynamics; what is reported
+as lost makes a model `told`. `--times` compares how long MuJoCo compiles each model, and how long
+Yamaro takes to read it and to write it as URDF: the least processor time of five runs in turns.
 """
 
 from __future__ import annotations
@@ -49,7 +53,6 @@ class Verdict:
         why: what differs or failed.
         told: what was reported.
         fields: further values that differ.
-        seconds: how long MuJoCo's compiler and how long Yamaro took.
     """
 
     def __init__(self, path: str, kind: str, why: str) -> None:
@@ -58,7 +61,6 @@ class Verdict:
         self.why = why
         self.told: list[str] = []
         self.fields: dict[str, str] = {}
-        self.seconds = (0.0, 0.0)
 
 
 def models(folders: list[Path]) -> Iterator[Path]:
@@ -79,13 +81,13 @@ def compiled(path: str) -> float | None:
     return time.process_time() - start
 
 
-def judge(job: tuple[str, bool, int, str]) -> Verdict | None:
+def judge(job: tuple[str, str, int, str]) -> Verdict | None:
     """Return what is found for a file; None if MuJoCo does not compile it as it is."""
-    path, migrates, seconds, keep = job
+    path, mode, seconds, keep = job
     signal.signal(signal.SIGALRM, _too_long)
     signal.alarm(seconds)
     try:
-        return _judge(path, migrates, keep)
+        return JUDGES[mode](path, keep) if compiled(path) is not None else None
     except _TooLongError:
         return Verdict(path, FAILS, f"takes more than {seconds} s")
     except Exception as error:  # of any kind: this is a report
@@ -104,12 +106,9 @@ def _too_long(*_: object) -> None:
     raise _TooLongError
 
 
-def _judge(path: str, migrates: bool, keep: str) -> Verdict | None:
-    own = compiled(path)
-    if own is None:
-        return None
+def judge_mjcf(path: str, keep: str, *, migrates: bool = False) -> Verdict:
+    """Return whether what is written as MJCF is the same model."""
     with tempfile.TemporaryDirectory() as folder:
-        start = time.process_time()
         made = Path(keep or folder) / "made.xml"
         source = Path(path)
         if migrates:
@@ -124,7 +123,6 @@ def _judge(path: str, migrates: bool, keep: str) -> Verdict | None:
         for name, data in build.assets.items():
             (made.parent / name).parent.mkdir(parents=True, exist_ok=True)
             (made.parent / name).write_bytes(data)
-        took = time.process_time() - start
         try:
             comparison = Comparison(path, str(made))
         except ValueError as error:
@@ -139,8 +137,57 @@ def _judge(path: str, migrates: bool, keep: str) -> Verdict | None:
         why = "; ".join(f"{what}: {how}" for what, how in comparison.found.items())
         verdict = Verdict(path, kind, why)
         verdict.told, verdict.fields = list(dict.fromkeys(told)), comparison.fields
-        verdict.seconds = (own, took)
         return verdict
+
+
+def judge_urdf(path: str, _: str) -> Verdict:
+    """Return whether what is written as URDF moves as what is written as MJCF does."""
+    from tests.targets.mechanics import Mujoco, PinocchioUrdf, differences
+
+    try:
+        build = yamaro.build(path, target="urdf", meshes="keep")
+        mjcf = yamaro.build(path, target="mjcf")
+    except yamaro.YamaroError as error:
+        first = error.diagnostics[0]
+        return Verdict(path, FAILS, f"{first.code}: {first.message}")
+    told = [f"{each.kind} {each.what}" for each in build.losses]
+    base = mjcf.robot.base
+    try:
+        reference = PinocchioUrdf(build.xml(), is_fixed=base is None or base.type == "fixed")
+        model = Mujoco(mjcf.xml(), dict(mjcf.assets), reference.joints)
+        model.model.opt.gravity[:] = (0, 0, -9.81)
+        found = differences(reference, model, 20)
+    except Exception as error:  # of any kind: this is a report
+        verdict = Verdict(path, TOLD if told else FAILS, f"{type(error).__name__}: {error}"[:200])
+        verdict.told = list(dict.fromkeys(told))
+        return verdict
+    why = "; ".join(f"{what}: {off:.1e}" for what, off in found.items() if not off < 1e-9)
+    verdict = Verdict(path, (TOLD if told else SILENT) if why else EQUAL, why)
+    verdict.told = list(dict.fromkeys(told))
+    return verdict
+
+
+def judge_time(path: str, _: str) -> Verdict:
+    """Return how long a model takes."""
+    own: list[float] = []
+    ours: list[float] = []
+    for _run in range(5):
+        own.append(compiled(path) or 0.0)
+        start = time.process_time()
+        yamaro.build(path, target="urdf", meshes="keep").xml()
+        ours.append(time.process_time() - start)
+    bodies = mujoco.MjModel.from_xml_path(path).nbody
+    ratio = min(ours) / max(min(own), 1e-6)
+    how = f"{bodies} bodies: {1e3 * min(own):.1f} ms, {1e3 * min(ours):.1f} ms, ratio {ratio:.2f}"
+    return Verdict(path, EQUAL if ratio <= 3 else TOLD, how)
+
+
+def judge_migrated(path: str, keep: str) -> Verdict:
+    """Return whether YAML that is made of a model gives the same model."""
+    return judge_mjcf(path, keep, migrates=True)
+
+
+JUDGES = {"mjcf": judge_mjcf, "urdf": judge_urdf, "times": judge_time, "migrate": judge_migrated}
 
 
 def _migrated(source: Path, folder: Path) -> Path:
@@ -204,16 +251,18 @@ def main() -> None:
     parser.add_argument("--every", type=int, default=1)
     parser.add_argument("--show", type=int, default=3)
     parser.add_argument("--fields", action="store_true")
-    parser.add_argument("--migrate", action="store_true")
+    modes = parser.add_mutually_exclusive_group()
+    for mode in ("migrate", "urdf", "times"):
+        modes.add_argument(
+            f"--{mode}", dest="mode", action="store_const", const=mode, default="mjcf"
+        )
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--seconds", type=int, default=60)
     parser.add_argument("--keep", default="", help="where what is written of one model stays")
     parser.add_argument("--table", type=Path, help="a file for one line a model")
     options = parser.parse_args()
     paths = [str(each) for each in models(options.folders) if re.search(options.only, str(each))]
-    jobs = [
-        (path, options.migrate, options.seconds, options.keep) for path in paths[:: options.every]
-    ]
+    jobs = [(path, options.mode, options.seconds, options.keep) for path in paths[:: options.every]]
     with Pool(options.jobs, maxtasksperchild=20) as pool:
         verdicts = [each for each in pool.imap(judge, jobs) if each is not None]
     if options.table:
@@ -221,6 +270,10 @@ def main() -> None:
             f"{each.path}\t{each.kind}\t{each.why}\t{', '.join(each.told)}" for each in verdicts
         ]
         options.table.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    if options.mode == "times":
+        for each in sorted(verdicts, key=lambda each: float(each.why.rpartition(" ")[2])):
+            print(f"{each.path}: {each.why}")
+        return
     show(verdicts, options)
 
 

@@ -250,12 +250,10 @@ class Mujoco:
         mujoco.mj_kinematics(model, data)
         mujoco.mj_comPos(model, data)
         mujoco.mj_comVel(model, data)
-        saved = model.dof_armature.copy()
-        model.dof_armature[:] = 0
         mujoco.mj_makeM(model, data)
         full = np.zeros((model.nv, model.nv))
         mujoco.mj_fullM(model, data, full)
-        model.dof_armature[:] = saved
+        full -= np.diag(model.dof_armature)
         data.qacc[:] = transform @ a + drift
         efforts = np.zeros(model.nv)
         mujoco.mj_rne(model, data, 1, efforts)
