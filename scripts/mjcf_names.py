@@ -15,7 +15,7 @@ FILE = Path(__file__).parent.parent / "src/yamaro/sources/mjcf/names.py"
 POSE = "axisangle euler pos quat xyaxes zaxis"
 META = {
     "body/frame": f"childclass name {POSE}",
-    "body/replicate": "childclass count euler name offset sep",
+    "body/replicate": "childclass count euler name offset prefix sep",
 }
 """What the compiler takes out of a document before it is one, and so does not print."""
 HEAD = '''"""The elements and attributes of MJCF; scripts/mjcf_names.py writes them from MuJoCo."""

@@ -284,3 +284,22 @@ def test_safe_mode_reads_nothing_outside_of_the_folder(tmp_path) -> None:
     with pytest.raises(YamaroError) as found:
         yamaro.build(str(path), policy=yamaro.Policy("safe"))
     assert found.value.diagnostics[0].code == "path-outside"
+
+
+def test_copies_can_attach_models(tmp_path) -> None:
+    hand = """
+<mujoco model="hand"><worldbody>
+  <body name="palm"><joint name="wrist"/><geom size="0.1"/></body>
+</worldbody>
+<sensor><jointpos name="angle" joint="wrist"/></sensor></mujoco>"""
+    saved(tmp_path, hand, "hand.xml")
+    text = """
+<mujoco><asset><model file="hand.xml"/></asset><worldbody><body name="base"><geom size="0.2"/>
+  <replicate count="2" offset="1 0 0" sep="-">
+    <body name="arm"><joint name="arm"/><geom size="0.1"/>
+      <attach model="hand" prefix="my_"/></body>
+  </replicate>
+</body></worldbody></mujoco>"""
+    path = saved(tmp_path, text)
+    assert_same(path)
+    assert [*robot_of(path).joints] == ["arm-0", "my_wrist-0", "arm-1", "my_wrist-1"]

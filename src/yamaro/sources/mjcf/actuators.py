@@ -367,6 +367,4 @@ def _leave_out(element: Element, drive: Drive, joint: Joint) -> None:
             attributes.pop("kp", None)
         if drive.law.rows["biasprm"][2] <= 0:
             attributes.pop("kv", None)
-        elif attributes.get("dampratio") == "1.0":
-            attributes.pop("dampratio", None)
     attributes.pop("delay", None)

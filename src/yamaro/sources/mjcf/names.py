@@ -6,7 +6,7 @@ VERSION = "4.0.0"
 ATTRIBUTES = {
     "/mujoco": "model",
     "body/frame": "axisangle childclass euler name pos quat xyaxes zaxis",
-    "body/replicate": "childclass count euler name offset sep",
+    "body/replicate": "childclass count euler name offset prefix sep",
     "mujoco/compiler": (
         "alignfree angle assetdir autolimits balanceinertia boundinertia boundmass conflict "
         "coordinate discardvisual eulerseq fitaabb fusestatic inertiafromgeom "

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from .building import Builder
+from .classes import unknown
 from .document import load
 from .tree import Context, Reader
 
@@ -19,6 +20,9 @@ def read(root: Element, host: Host) -> Element:
         YamaroError: the document has errors, or MuJoCo would refuse it.
     """
     document = load(root, host, host.folder)
+    if host.model is not None and host.model != document.name:
+        span = root.value_span("model")
+        raise unknown("model", host.model, [document.name] if document.name else [], span)
     context = Context(document, host)
     reader = Reader(host)
     world = reader.world(context)

@@ -36,6 +36,8 @@ OBJECTS = {"objname": "objtype", "refname": "reftype"}
 """The attributes that name something whose kind another one says."""
 ASSETS = frozenset(("mesh", "hfield", "material", "texture", "plugin"))
 """The kinds that are in no body."""
+SUFFIX = "{suffix}"
+"""What is after the names in a document that a copy attaches, as an attribute of `<attach>`."""
 IN_BODIES = {"freejoint": "joint", "flexcomp": "flex"}
 SECTIONS = {
     "tendon": "tendon", "actuator": "actuator", "sensor": "sensor", "equality": "equality",
@@ -84,6 +86,8 @@ def renamed(element: Element, suffix: str, names: Names, *, is_named: bool) -> E
         for attribute, kind, name in references(each):
             if (kind, name) in names:
                 attributes[attribute] = name + suffix
+        if each.name == "attach":
+            attributes[SUFFIX] = suffix + str(attributes.get(SUFFIX, ""))
         own = text(each, "name")
         if own and (is_named or each is element):
             attributes["name"] = own + suffix

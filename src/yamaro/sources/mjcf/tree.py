@@ -10,8 +10,8 @@ from ...xml.reader import read_xml
 from ...xml.tree import Element
 from .classes import Classes, unknown
 from .compiler import Compiler, completed, given_by, truth
-from .document import BODY, WORLD, load, text
-from .references import OBJECTS, REFERENCES, names_in, referring, replicate
+from .document import BODY, WORLD, attributes_of, load, text
+from .references import OBJECTS, REFERENCES, SUFFIX, names_in, referring, replicate
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -47,12 +47,12 @@ class Thing:
         self.kind = element.name
         self.context = context
         name = given.pop("name", None)
-        self.name = context.prefix + name[0] if name is not None and name[0] else ""
+        self.name = context.named(name[0]) if name is not None and name[0] else ""
         given.pop("class", None)
-        if context.prefix:
+        if context.prefix or context.suffix:
             for attribute in (REFERENCES.keys() | OBJECTS.keys()) & given.keys():
                 value, span = given[attribute]
-                given[attribute] = (context.prefix + value, span)
+                given[attribute] = (context.named(value), span)
         self.given = given
 
     @property
@@ -146,13 +146,13 @@ class Context:
         document: the document.
         classes: its default classes.
         compiler: its settings.
-        prefix: what is before the names of all that is in it.
+        prefix, suffix: what is before and after the names of all that is in it.
         part: the names in the part of it that is attached; None for all of it.
     """
 
-    __slots__ = ("classes", "compiler", "document", "host", "part", "prefix")
+    __slots__ = ("classes", "compiler", "document", "host", "part", "prefix", "suffix")
 
-    def __init__(self, document: Document, host: Host, prefix: str = "") -> None:
+    def __init__(self, document: Document, host: Host, prefix: str = "", suffix: str = "") -> None:
         """Read the settings and classes of a document, and replicate what it says.
 
         Raises:
@@ -160,7 +160,7 @@ class Context:
         """
         self.document = document
         self.host = host
-        self.prefix = prefix
+        self.prefix, self.suffix = prefix, suffix
         self.part: Names | None = None
         self.compiler = Compiler(document)
         if not document.is_replicated:
@@ -190,9 +190,16 @@ class Context:
             base = defaults(self.classes.actuators(name, span), element.name)
         elif section in ("", "asset", "contact", "equality", "tendon"):
             base = kinds.get(_KINDS.get(section, element.name), {})
+            if section == "tendon":
+                allowed = attributes_of(section, element.name) or ()
+                base = {each: value for each, value in base.items() if each in allowed}
         else:
             return own
         return completed(own, base) if base else own
+
+    def named(self, name: str) -> str:
+        """Return the name in the model of what the document calls so."""
+        return f"{self.prefix}{name}{self.suffix}"
 
     def path(self, name: str, folder: str) -> str:
         """Return the absolute path of a file that the document names.
@@ -331,7 +338,8 @@ class Reader:
         document = context.document
         if name is not None:
             document = self._document(context, name, element.value_span("model"))
-        inner = Context(document, self.host, prefix)
+        suffix = (text(element, SUFFIX) or "") + context.suffix
+        inner = Context(document, self.host, prefix, suffix)
         self.attached.append(inner)
         for kind in ("body", "frame"):
             wanted = text(element, kind)

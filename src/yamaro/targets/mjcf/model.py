@@ -68,8 +68,8 @@ class Plan:
         self._robot = robot
         self._blocks = blocks
         self._is_fixed = is_fixed
-        self._needed = {each.joint for each in robot.sensors.values()}
-        self._needed |= {each.frame for each in robot.sensors.values()}
+        sensors = [each for each in robot.sensors.values() if each.written("of") != "mjcf"]
+        self._needed = {each.joint for each in sensors} | {each.frame for each in sensors}
         self._needed.update(frame for loop in robot.loops.values() for frame in loop.between)
         self.passed: dict[str, str] = {}
         self.carriers: dict[str, str | None] = {}
