@@ -510,6 +510,30 @@ def test_a_position_at_a_limit_is_inside_of_it_in_single_precision(
             assert float(given) == pytest.approx(home, abs=5e-6)
 
 
+@pytest.mark.parametrize("framework", ["mjlab", "isaaclab 3.0"])
+def test_models_find_their_meshes_and_textures(
+    framework: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    image = pytest.importorskip("PIL.Image")
+    image.new("RGB", (2, 2), (255, 0, 0)).save(tmp_path / "red.png")
+    trimesh = pytest.importorskip("trimesh")
+    trimesh.creation.box((1, 1, 1)).export(tmp_path / "box.stl")
+    look = "{geometry: box, size: 1 1 1, material: {name: red, texture: red.png}}"
+    link = f"{{geometry: box.stl, mass: 1, collision: , visual: {look}}}"
+    path = saved(tmp_path, f"robot: one\nbase: free\nmodel:\n- part: {{name: one, link: {link}}}\n")
+    config = loaded(path, framework, monkeypatch)
+    if framework == "mjlab":
+        model = config["get_spec"]().compile()
+        assert [model.nmesh, model.ntex] == [1, 1]
+        return
+    from pxr import UsdUtils
+
+    usd = config["ROBOT_CFG"].spawn.usd_path
+    _, files, missing = UsdUtils.ComputeAllDependencies(usd)
+    assert {Path(each).suffix for each in files} == {".png"}
+    assert missing == []
+
+
 def test_isaac_lab_needs_what_usd_needs(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     import sys
 

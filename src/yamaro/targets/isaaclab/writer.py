@@ -16,7 +16,7 @@ from ..holding import lost_of_actuator
 from ..interface.orders import UnknownOrderError, in_isaac
 from ..losses import Losses
 from ..mjcf.scene import free_pose_at_home
-from ..output import MARK, Output
+from ..output import FOLDER, MARK, Output
 from ..training import (
     SOFT_LIMITS,
     TIME_STEP,
@@ -76,18 +76,22 @@ def write(robot: Robot, wanted: Wanted) -> Output:
     drives = drives_of(robot, names, is_fixed=wanted.is_fixed)
     losses = Losses(each for each in model.losses if each.what not in HELD)
     _lose_what_is_not_held(robot, drives, losses)
-    path, files = stored(robot.name or wanted.name, ".usda", _without_actuators(model.text))
+    path, files = stored(robot.name or wanted.name, ".usda", _spawned(model.text))
     text = _text(path, _start(robot, wanted, names, listing), drives)
     warnings = [*model.warnings, *undriven(robot, TITLE)]
     return Output(None, losses, {**files, **model.files}, text=text, warnings=warnings)
 
 
-def _without_actuators(text: str) -> str:
-    """Return a layer of USD without the actuators for Newton, which would act beside the others."""
-    from pxr import Sdf
+def _spawned(text: str) -> str:
+    """Return a layer of USD as Isaac Lab spawns it from the folder of its textures.
+
+    It is without actuators for Newton, which would act beside those of the configuration.
+    """
+    from pxr import Sdf, UsdUtils
 
     layer = Sdf.Layer.CreateAnonymous(".usda")
     layer.ImportFromString(text)
+    UsdUtils.ModifyAssetPaths(layer, lambda path: path.replace(f"./{FOLDER}/", "./", 1))
     robot = layer.GetPrimAtPath(f"/{layer.defaultPrim}")
     for scope in list(robot.nameChildren):
         if any(each.typeName == "NewtonActuator" for each in scope.nameChildren):
