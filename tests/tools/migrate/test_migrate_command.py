@@ -277,7 +277,7 @@ def test_an_error_of_standard_input_names_it(
 @pytest.mark.parametrize(
     "xml",
     [
-        '<sdf version="1.7"><model name="a"><link name="b"><pose>0 0 1</pose></link></model></sdf>',
+        '<scene version="1.7"><model name="a"><link name="b"><at>0 0 1</at></link></model></scene>',
         '<launch><arg name="a" default="1"/><node pkg="p" args="$(find p)/a $(arg a)"/></launch>',
         "<package><name>p</name><depend>a</depend><depend>b</depend></package>",
     ],

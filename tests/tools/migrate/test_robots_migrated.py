@@ -122,7 +122,7 @@ def test_masses_angles_and_settings_read_well(dog: Path) -> None:
     text = migration_of(dog).text
     assert text.startswith("# A small dog.\nnaming: {link: '*'}\nbase: free\n")
     assert "\nrobot/name=dog, version=1.1:\n" in text  # which has capsules
-    assert "\nstates:\n  home:\n" in text
+    assert "\nstates:\n  home: {\n      FL_thigh: 0, FL_shin: -1, " in text
     assert "frame/name=imu: {xyz: 0 0 0.05, mjcf: {size: 0.01}}\n" in text
     assert "density: 1000\n" in text
     assert "# The legs differ in their signs.\n- Leg: {leg: FL" in text

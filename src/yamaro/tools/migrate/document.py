@@ -21,7 +21,9 @@ MOST_UNCLOSED = 100
 class Body:
     """A mapping of the language: entries in order, whose keys may come again."""
 
-    __slots__ = ("entries", "has_call", "in_braces", "latest", "opening", "remark", "width")
+    __slots__ = (
+        "entries", "has_call", "in_braces", "latest", "opening", "remark", "width", "wraps",
+    )  # fmt: skip
 
     def __init__(
         self, entries: Iterable[Entry] = (), *, in_braces: bool = False, width: int = WIDTH
@@ -32,6 +34,8 @@ class Body:
         self.width = width
         self.has_call = False
         """Whether its last entry is a call without arguments, which may stay in the braces."""
+        self.wraps = False
+        """Whether it may go on several lines in its braces; it holds short texts alone."""
         self.remark = ""
         """A comment for the entry that comes next, or below the last one."""
         self.opening = ""

@@ -25,6 +25,8 @@ if TYPE_CHECKING:
 MOST_PARAMETERS = 16
 FEW_PARAMETERS, LINES_FOR_ONE = 4, 5
 """Parameters that any function may have; with more, the lines that each has to be worth."""
+MOST_TRIED = 50
+"""Groups of limbs that are looked at, those first that would save most."""
 LEAST_SAVED = 3
 """Lines that a function has to save."""
 _WORDS = re.compile(r"[^\W\d_]+|\d+|[\W_]+")
@@ -93,16 +95,16 @@ def share_limbs(model: Body, taken: set[str]) -> Body:
 def _best_group(body: Body) -> list[tuple[int, int]] | None:
     """Return the places of limbs that are worth a function most, or None."""
     groups: dict[object, list[tuple[int, int]]] = {}
+    known: dict[object, int] = {}
+    shapes = [known.setdefault(_shape(entry), len(known)) for entry in body.entries]
     for first, last in _limbs(body):
-        shape = tuple(_shape(entry) for entry in body.entries[first:last])
-        groups.setdefault(shape, []).append((first, last))
+        groups.setdefault(tuple(shapes[first:last]), []).append((first, last))
+    several = [places for places in groups.values() if len(places) > 1]
     ranked = sorted(
-        ((_size(body, places) * (len(places) - 1), places) for places in groups.values()),
+        ((_size(body, places) * (len(places) - 1), places) for places in several),
         key=lambda pair: -pair[0],
     )
-    for _, places in ranked:
-        if len(places) < 2:
-            continue
+    for _, places in ranked[:MOST_TRIED]:
         try:
             if _Alike(body, places).saved() >= LEAST_SAVED:
                 return places
@@ -127,11 +129,12 @@ def _limbs(body: Body) -> Iterator[tuple[int, int]]:
     """Yield where each part begins, and where the parts below it end."""
     entries = body.entries
     names = [_names_in(entry) for entry in entries]
-    for first, entry in enumerate(entries):
-        if not names[first] or _parent(entry) is None:
+    parents = [_parent(entry) if own else None for entry, own in zip(entries, names, strict=True)]
+    for first in range(len(entries)):
+        if parents[first] is None:
             continue
         known, last = set(names[first]), first + 1
-        while last < len(entries) and names[last] and _parent(entries[last]) in known:
+        while last < len(entries) and parents[last] in known:
             known |= names[last]
             last += 1
         yield first, last

@@ -376,6 +376,7 @@ class Notes:
             if self._types.get(joint) in TURNING:
                 value = self._degrees.number(value)
             body.add(self._names.of_joints.get(joint, joint), value)
+        body.wraps = True
         return Entry(name_of(note), body)
 
     def statements(self) -> list[Entry]:

@@ -34,8 +34,8 @@ SHORTEST = 30
 """Characters that a function has to hold."""
 LINE = 12
 """Characters that a call costs, or the head of a function."""
-WORST = 400
-"""Joints or shapes among which all pairs are looked at."""
+WORST = 60
+"""Kinds of joints or shapes among which all pairs are looked at, the most frequent ones."""
 
 
 class _Holder:
@@ -156,25 +156,31 @@ def _content(entry: Entry) -> str:
 def _best(holders: list[_Holder]) -> tuple[set[Atom], list[_Holder]] | None:
     """Return the atoms that save most as a function, and who has them; None if none is worth it."""
     candidates: set[frozenset[Atom]] = set()
-    kinds = list({frozenset(each.atoms) for each in holders})
-    for number, one in enumerate(kinds[:WORST]):
+    kinds = Counter(frozenset(each.atoms) for each in holders)
+    often = [kind for kind, _ in kinds.most_common(WORST)]
+    for number, one in enumerate(often):
         candidates.add(one)
-        candidates |= {one & other for other in kinds[number + 1 : WORST]}
-    best: tuple[float, set[Atom], list[_Holder]] | None = None
+        candidates |= {one & other for other in often[number + 1 :]}
+    sets = [(kind, count) for kind, count in kinds.items()]
+    best: tuple[int, set[Atom], frozenset[Atom]] | None = None
+    sizes = {atom: size for each in holders for atom, size in each.atoms.items()}
     for atoms in sorted(candidates, key=sorted):
-        members = [each for each in holders if atoms <= each.atoms.keys()]
-        if len(members) < FEWEST:
+        number = sum(count for kind, count in sets if atoms <= kind)
+        if number < FEWEST:
             continue
         chosen = set(atoms)
         if any(atom[0] == "" and atom[1].startswith("limit: ") for atom in chosen):
             chosen = {atom for atom in chosen if atom[0] != "limit"}
-        size = sum(members[0].atoms[atom] for atom in chosen)
+        size = sum(sizes[atom] for atom in chosen)
         if size < SHORTEST:
             continue
-        saved = (len(members) - 1) * size - LINE * (len(members) + 2)
+        saved = (number - 1) * size - LINE * (number + 2)
         if saved >= LEAST_SAVED and (best is None or saved > best[0]):
-            best = saved, chosen, members
-    return None if best is None else best[1:]
+            best = saved, chosen, atoms
+    if best is None:
+        return None
+    _, chosen, atoms = best
+    return chosen, [each for each in holders if atoms <= each.atoms.keys()]
 
 
 def _function(kind: str, atoms: set[Atom], members: list[_Holder], taken: set[str]) -> Entry:

@@ -132,6 +132,14 @@ def _write_pair(entry: Entry, head: str, margin: str, out: list[str], remarks: l
             out.append(line)
             return True
         remarks.clear()
+        if value.wraps:
+            pieces = [
+                f"{scalar_of(own.key, in_flow=True)}: {scalar_of(str(own.value), in_flow=True)}"
+                for own in value
+            ]
+            lines = _wrapped(pieces, WIDTH - len(margin) - 4)
+            out += [f"{head}{key}: {{", *(f"{margin}    {row}" for row in lines), f"{margin}  }}"]
+            return True
         out.append(f"{head}{key}:")
         _write_entries(value, margin, out, key=entry.key)
     return True
