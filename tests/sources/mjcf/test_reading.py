@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import pi, radians
+from math import atan, pi, radians
 from pathlib import Path
 
 import pytest
@@ -10,6 +10,7 @@ import pytest
 import yamaro
 from tests.sources.mjcf.compiled import assert_same, robot_of
 from yamaro import Robot, YamaroError
+from yamaro.model.extras import Camera, Ranger
 
 MESHES = """
 <mujoco>
@@ -303,3 +304,28 @@ def test_copies_can_attach_models(tmp_path) -> None:
     path = saved(tmp_path, text)
     assert_same(path)
     assert [*robot_of(path).joints] == ["arm-0", "my_wrist-0", "arm-1", "my_wrist-1"]
+
+
+def test_cameras_and_distances_look_along_x(tmp_path) -> None:
+    text = """
+<mujoco><worldbody><body name="b"><geom size="0.1"/>
+  <camera name="eye" pos="1 2 3" xyaxes="0 -1 0 0 0 1" fovy="90" resolution="640 320"/>
+  <camera name="view" pos="1 2 3" mode="trackcom"/>
+  <site name="front" zaxis="1 0 0"/>
+</body></worldbody>
+<sensor><rangefinder name="far" site="front" cutoff="7"/></sensor></mujoco>"""
+    path = saved(tmp_path, text)
+    robot = Robot.from_mjcf(path)
+    assert [*robot.sensors] == ["eye", "far"]
+    eye, far = robot.sensors["eye"], robot.sensors["far"]
+    assert isinstance(eye.details, Camera)
+    assert isinstance(far.details, Ranger)
+    assert far.frame is not None
+    # It looks along −z, which is the negative cross product of x and y: (1, 0, 0).
+    assert eye.pose.apply((1, 0, 0)) == pytest.approx((2, 2, 3), abs=1e-12)
+    assert eye.pose.apply((0, 0, 1)) == pytest.approx((1, 2, 4), abs=1e-12)
+    assert eye.details.fov == pytest.approx(2 * atan(2), rel=1e-12)
+    assert eye.details.size == (640, 320)
+    frame = robot.poses({})[far.frame]
+    assert (frame @ far.pose).apply((1, 0, 0)) == pytest.approx((1, 0, 0), abs=1e-12)
+    assert far.details.range == (0.0, 7.0)

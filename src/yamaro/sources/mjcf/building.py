@@ -18,6 +18,7 @@ from .meshes import UnknownMassError
 from .sections import add_sections, read_mimics
 from .shapes import OF_MESHES, Geom
 from .tree import OF_BODY, Thing
+from .words import add_camera
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -302,7 +303,10 @@ class Builder:
         ]
         self._keep_geoms(body, visuals, collisions, details)
         for other in body.others:
-            self.keep(body.name, placed(other))
+            kept_other = placed(other)
+            if other.kind == "camera":
+                add_camera(self, body.name, other, kept_other)
+            self.keep(body.name, kept_other)
         is_empty = body is not self.world and not (inertial or visuals or collisions)
         if is_empty and not {"gravcomp", "mocap", "sleep"} & thing.given.keys():
             # A link with nothing in it is a frame; a body stays one.

@@ -5,26 +5,41 @@ MJCF has them whole in blocks beside that, so the notes say which format they co
 
 from __future__ import annotations
 
+from math import atan, radians, tan
+
 from ...model import making
 from ...model.making import Place
+from ...model.pose import IDENTITY, Pose
 from ...xml.tree import SAID, Element
 from .blocks import NAME
 from .compiler import number, numbers
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Mapping, Sequence
 
+    from ...model.making import Value
+    from ...source import Span
     from .building import Builder
-    from .tree import Thing
+    from .tree import Placed, Thing
 
+T_CAMERA_SENSOR = Pose(((0.0, -1.0, 0.0), (0.0, 0.0, 1.0), (-1.0, 0.0, 0.0)))
+"""A camera of MuJoCo looks along −z, with y up; one of the model along x, with z up."""
+T_SITE_SENSOR = Pose(((0.0, 0.0, -1.0), (0.0, 1.0, 0.0), (1.0, 0.0, 0.0)))
+"""MuJoCo measures distances along z, the model along x."""
+MOST_RANGE = 100.0
+"""In m: the greatest distance of a sensor that has none."""
+_OF_CAMERA = frozenset(
+    """pos quat euler axisangle xyaxes zaxis fovy resolution mode projection""".split()
+)
 QPOS = {"free": 7, "ball": 4, "hinge": 1, "slide": 1}
 """How many numbers a joint has in `qpos`."""
 ROUNDING = 1e-9
 """How far a keyframe may be outside of a limit, in radians or metres."""
 IMU = {"accelerometer": "linear_acceleration", "gyro": "angular_velocity"}
 WRENCH = ("force", "torque")
-ALONE = {"touch": "contact", "magnetometer": "magnetometer"}
+RANGE = "range"
+ALONE = {"touch": "contact", "magnetometer": "magnetometer", "rangefinder": RANGE}
 """The sensors that alone are one of the model."""
 
 
@@ -65,6 +80,41 @@ def add_state(builder: Builder, key: Thing, element: Element) -> None:
         element.body = SAID
 
 
+def add_camera(builder: Builder, link: str, thing: Placed, element: Element) -> None:
+    """Note a camera that stands still in its body and has a size: others only show the scene.
+
+    Args:
+        builder: the robot.
+        link: the link of the body.
+        thing: the camera.
+        element: what is kept of it.
+    """
+    given = thing.given
+    size = numbers(given, "resolution", 2) or [1.0, 1.0]
+    is_still = thing.text("mode") in (None, "fixed") and thing.text("projection") != "orthographic"
+    if min(size) <= 1 or not is_still or not thing.name or "sensorsize" in given:
+        return
+    pose = thing.context.compiler.pose(given)
+    pose = (pose if thing.pose is IDENTITY else thing.pose @ pose) @ T_CAMERA_SENSOR
+    angle = radians(number(given, "fovy", 45.0))
+    values: dict[str, Value] = {
+        "type": "camera",
+        "link": link,
+        "frame": link,
+        **_pose(pose),
+        "fov": 2 * atan(tan(angle / 2) * size[0] / size[1]),
+        "size": (size[0], size[1]),
+        "optical_frame": "",
+    }
+    places = {"fov": thing.where("fovy"), "size": thing.where("resolution")}
+    parts = [(thing, element)] if given.keys() <= _OF_CAMERA else []
+    _add(builder, thing, thing.name, parts, values, places)
+
+
+def _pose(pose: Pose) -> dict[str, Value]:
+    return {"xyz": pose.position, "rpy": pose.rpy}
+
+
 def add_sensors(builder: Builder, things: Mapping[int, tuple[Thing, Element]]) -> None:
     """Note the sensors that the model has.
 
@@ -82,33 +132,39 @@ def add_sensors(builder: Builder, things: Mapping[int, tuple[Thing, Element]]) -
         if IMU.keys() <= found.keys():
             parts = [found[kind] for kind in IMU]
             noise = {IMU[t.kind]: number(t.given, "noise", 0.0) for t, _ in parts}
-            values: dict[str, str | float] = {"type": "imu", "link": link, "frame": frame}
+            values: dict[str, Value] = {"type": "imu", "link": link, "frame": frame}
             same = noise["angular_velocity"]
             if same == noise["linear_acceleration"]:
                 values |= {"noise": same} if same else {}
             else:
                 values["noises"] = " ".join(f"{name} {value!r}" for name, value in noise.items())
-            _add(builder, site, parts, values)
+            _add(builder, parts[0][0], site, parts, values)
         joint = builder.above.get(link)
         if all(kind in found for kind in WRENCH) and joint is not None:
             parts = [found[kind] for kind in WRENCH]
-            _add(builder, site, parts, {"type": "force_torque", "joint": joint})
+            wrench: dict[str, Value] = {"type": "force_torque", "joint": joint}
+            _add(builder, parts[0][0], site, parts, wrench)
         for kind, word in ALONE.items():
             if kind in found:
+                thing = found[kind][0]
                 values = {"type": word, "link": link, "frame": frame}
-                _add(builder, found[kind][0].name or site, [found[kind]], values)
+                if word == RANGE:
+                    values |= _pose(T_SITE_SENSOR)
+                    values["range"] = (0.0, number(thing.given, "cutoff", 0.0) or MOST_RANGE)
+                _add(builder, thing, thing.name or site, [found[kind]], values)
 
 
 def _add(
     builder: Builder,
+    thing: Thing,
     wanted: str,
-    parts: list[tuple[Thing, Element]],
-    values: Mapping[str, str | float],
+    parts: Sequence[tuple[Thing, Element]],
+    values: Mapping[str, Value],
+    places: Mapping[str, Span] | None = None,
 ) -> None:
-    thing = parts[0][0]
+    """Note a sensor; what is kept of its parts then says nothing more."""
     name = builder.fresh("sensor", wanted)
-    place = Place(thing.span, {"name": thing.name_span})
-    whole: dict[str, str | float] = {"name": name, **values, "of": NAME}
-    builder.rest.append(making.note("sensor", place, whole))
+    place = Place(thing.span, {"name": thing.name_span, **(places or {})})
+    builder.rest.append(making.note("sensor", place, {"name": name, **values, "of": NAME}))
     for _, element in parts:
         element.body = SAID
