@@ -4,13 +4,14 @@
 
 UTILS is the folder moveit_configs_utils of a checkout of moveit2, PARAMETERS a checkout of
 launch_param_builder; both are Python. What they import of ROS is replaced: a package is the folder
-of its name, or moveit_configs_utils itself. Each FOLDER is a NAME_moveit_config. Its parameters are
-built, and each has to have the type that MoveIt declares it with.
+with its name, or moveit_configs_utils itself. Each FOLDER is a NAME_moveit_config. Its parameters
+are built, and each has to have the type that MoveIt declares it with.
 """
 
 from __future__ import annotations
 
 import logging
+import re
 import sys
 from pathlib import Path
 from types import ModuleType
@@ -79,9 +80,16 @@ def faults(config: Json) -> list[str]:
     return found
 
 
+def name_of(folder: Path) -> str:
+    """Return the name of the package that a folder is."""
+    found = re.search("<name>(.*)</name>", (folder / "package.xml").read_text(encoding="utf-8"))
+    return found[1] if found else folder.name
+
+
 def main(utils: Path, parameters: Path, folders: list[Path]) -> int:
     """Build the configurations; return 1 if one has a fault."""
-    packages = {folder.name: folder.resolve() for folder in folders}
+    names = {folder: name_of(folder) for folder in folders}
+    packages: dict[str, Path] = {}
     stand_in(utils.resolve(), parameters.resolve(), packages)
     from moveit_configs_utils import MoveItConfigsBuilder
 
@@ -92,8 +100,10 @@ def main(utils: Path, parameters: Path, folders: list[Path]) -> int:
     status = 0
     for folder in folders:
         said.clear()
+        packages[names[folder]] = folder.resolve()
         stem = folder.name.removesuffix("_moveit_config")
-        config = MoveItConfigsBuilder(stem, package_name=folder.name).to_moveit_configs().to_dict()
+        builder = MoveItConfigsBuilder(stem, package_name=names[folder])
+        config = builder.to_moveit_configs().to_dict()
         found = [*faults(config), *said]
         status |= bool(found)
         print(

@@ -6,6 +6,8 @@ ROS reads.
 
 from __future__ import annotations
 
+from math import isfinite
+
 from ..diagnostics import YamaroError, did_you_mean, failure, meant_word
 from ..model.controllers import (
     BY_JOINT,
@@ -28,7 +30,7 @@ from ..xml.tree import Element, RobotNote, Text
 from ..xml.values import LiteralList, format_value, plain_value
 from .control import drivable_joints, matches
 from .fields import read_value, word_of
-from .notes import LIST_ITEM, entries_of, given_once, names_in, one_of
+from .notes import LIST_ITEM, entries_of, given_once, names_in, one_of, place_of
 from .numbers import parse_number, read_numbers
 
 TYPE_CHECKING = False
@@ -140,7 +142,10 @@ def _controller(lowering: Lowering, entry: Element) -> RobotNote:
             if known is not None:
                 _warn_of_unknown(lowering, known, key)
             reader = _Reader(lowering, known.integers if known else (), known is not None)
-            note.children.append(reader.read(key))
+            made = reader.read(key)
+            if known is not None:
+                _refuse_other_kind(known, key, made)
+            note.children.append(made)
     note.value_spans = places  # type: ignore[assignment]
     if "group" in keys and "joints" in keys and takes_joints:
         raise failure(
@@ -158,7 +163,7 @@ def _controller(lowering: Lowering, entry: Element) -> RobotNote:
 def _type_of(word: str, place: Span, entry: Element) -> ControllerType | None:
     """Return what is known of a type; an unknown word is an error, an unknown class is not."""
     known = known_type(word)
-    if known is None and "/" not in word:
+    if known is None and ("/" not in word or " " in word):
         hint, fix = meant_word(word, TYPES, place)
         raise failure(
             "unknown-controller-type",
@@ -222,6 +227,26 @@ def read_kinematics(lowering: Lowering, key: Element) -> list[Element]:
             known = name in SOLVER_KEYS
             found.append(_Reader(lowering, (), known).read(renamed))
     return found
+
+
+def _refuse_other_kind(known: ControllerType, key: Element, made: Element) -> None:
+    """Raise YamaroError if a parameter that names something is not a text, or a list of texts."""
+    name = key.name
+    kinds = {str(item.attributes["kind"]) for item in made.elements()}
+    kind = made.attributes["kind"]
+    is_text = name == "joint" or name.endswith(("_name", "frame_id"))
+    is_list = name in ("command_interfaces", "state_interfaces") and known.joints != ""
+    is_list = is_list or (name in known.named and not is_text)
+    if (is_text and kind != "text") or (
+        is_list and kind != "text" and (kind != "list" or kinds - {"text"})
+    ):
+        raise failure(
+            "value-expected",
+            f"'{name}' takes {'a name' if is_text else 'a list of names'}",
+            place_of(key),
+            hint="quote a name that looks like a number: '1'",
+            trace=key.trace,
+        )
 
 
 # --- values -------------------------------------------------------------------------------------
@@ -324,12 +349,12 @@ class _Reader:
 
     def _integer(self, key: Element, text: str, span: Span) -> tuple[str, str]:
         number = float(text)
-        if number != int(number):
+        if not number.is_integer():
             raise failure(
                 "bad-number",
                 f"'{key.name}' is a whole number",
                 span,
-                hint=f"write {key.name}: {max(1, round(number))}",
+                hint=f"write {key.name}: {max(1, round(number)) if isfinite(number) else 1}",
                 trace=key.trace,
             )
         return "int", str(int(number))
@@ -347,8 +372,9 @@ class _Reader:
             )
         if kinds == {"int", "float"}:
             for item in items:
+                own = "sensor" if "sensor" in item.attributes else "reference"
                 item.attributes["kind"] = "float"
-                item.attributes["reference"] = repr(float(str(item.attributes["reference"])))
+                item.attributes[own] = repr(float(str(item.attributes[own])))
         elif len(kinds) > 1:
             raise failure(
                 "value-expected",

@@ -240,7 +240,7 @@ def _entries_in(body: Element, owner: Element, example: str) -> list[Element]:
     for child in body.children:
         if isinstance(child, Text) and isinstance(child.value, dict):
             found += [_entry(name, value, child) for name, value in child.value.items()]
-        elif isinstance(child, Text) and child.value == []:
+        elif isinstance(child, Text) and isinstance(child.value, list) and not child.value:
             continue
         elif not isinstance(child, Element):
             raise failure(

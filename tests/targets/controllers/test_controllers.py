@@ -162,6 +162,18 @@ def written(path: Path, text: str) -> Path:
     return path
 
 
+def test_commands_of_the_hardware_alone_are_forwarded(tmp_path: Path) -> None:
+    # As gz_ros2_control has `position_pid`, which no trajectory controller takes.
+    urdf = yamaro.build(written(tmp_path / "arm.yaml", ARM)).xml()
+    urdf = urdf.replace(
+        'command_interface name="position"', 'command_interface name="position_pid"'
+    )
+    found = controllers_of(written(tmp_path / "arm.urdf", urdf))
+    own = parameters(found, "forward_position_pid_controller")
+    assert own["interface_name"] == "position_pid"
+    assert len(own["joints"]) == 8
+
+
 def test_joints_of_a_chain_are_in_its_order(tmp_path: Path) -> None:
     parts = ARM.replace("range(1, 8)", "range(7, 0, -1)").replace("1 else", "7 else")
     parts = parts.replace("{i - 1}", "{i + 1}").replace("panda_link7", "panda_link1")

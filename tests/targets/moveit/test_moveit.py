@@ -121,6 +121,14 @@ def test_the_builder_finds_the_other_files(robot: Path) -> None:
     assert not any(name.endswith("_planning.yaml") for name in names)  # its own are the default
 
 
+def test_xacro_leaves_what_looks_like_its_own(robot: Path) -> None:
+    xacro = pytest.importorskip("xacro")  # with it the builder reads URDF and SRDF
+    robot.write_text(ARM.replace("groups:", "- gazebo: {topic: '$${name}/x $$(find y)'}\ngroups:"))
+    folder = written()
+    read = xacro.process_file(folder / "config/arm.urdf").toxml()
+    assert "<topic>${name}/x $(find y)</topic>" in read
+
+
 def test_limits_are_those_of_the_joints_as_doubles(robot: Path) -> None:
     assert robot.exists()
     limits = loaded(written(), "joint_limits.yaml")

@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     from ...source import Span
     from ..output import Wanted
 
+TRACKED = (POSITION, VELOCITY, "acceleration", EFFORT)
+"""The commands that trajectories can be followed with."""
 TRAJECTORY, FORWARD, GRIPPER = "joint_trajectory", "forward_command", "gripper"
 JOINT_STATE = "joint_state"
 SECTION_HINT = "add an entry to the section `controllers`, or a group"
@@ -263,10 +265,14 @@ class Plan:
     # --- the usual ones ---
 
     def _command_of(self, joints: Sequence[str]) -> str:
-        """Return the first command that all of some joints take; "" if there is none."""
+        """Return the first command that all of some joints take; "" if there is none.
+
+        Hardware has commands of its own, too: those that all controllers know come first.
+        """
         commands = [self.hardware.commands.get(joint, (POSITION,)) for joint in joints]
         first = commands[0] if commands else ()
-        return next((each for each in first if all(each in other for other in commands)), "")
+        common = [each for each in first if all(each in other for other in commands)]
+        return next((each for each in common if each in TRACKED), (*common, "")[0])
 
     def _by_command(self, joints: Sequence[str]) -> dict[str, list[str]]:
         """Return joints by the command that they have in common, or else by that of each."""
@@ -275,7 +281,7 @@ class Plan:
             return {common: [*joints]}
         found: dict[str, list[str]] = {}
         for joint in joints:
-            found.setdefault(self.hardware.commands[joint][0], []).append(joint)
+            found.setdefault(self._command_of([joint]), []).append(joint)
         return found
 
     def _add_for_groups(self) -> None:
@@ -298,10 +304,12 @@ class Plan:
                 if own in known:
                     continue
                 is_gripper = group.is_end_effector and len(joints) == 1 and command == POSITION
-                kind = TYPES[GRIPPER if is_gripper else TRAJECTORY]
-                planned = self._add(kind, own, group, joints)
+                word = TRAJECTORY if command in TRACKED else FORWARD
+                planned = self._add(TYPES[GRIPPER if is_gripper else word], own, group, joints)
                 if is_gripper:
                     planned.parameters = {"joint": joints[0]}
+                elif word == FORWARD:
+                    planned.parameters = {"joints": joints, "interface_name": command}
                 else:
                     self._fill_trajectory(planned, {"command_interfaces": [command]})
 
@@ -315,7 +323,7 @@ class Plan:
             return
         known = {each.name for each in self.controllers}
         parts = self._by_command(rest) if rest else {}
-        tracked = [command for command in parts if command != VELOCITY]
+        tracked = [each for each in parts if each in TRACKED and each != VELOCITY]
         for command, joints in parts.items():
             if command in tracked:
                 name = "joint_trajectory_controller"
@@ -332,7 +340,7 @@ class Plan:
                 planned.parameters = {"joints": joints, "interface_name": command}
 
     def _add_for_sensors(self) -> None:
-        read = {each.parameters.get("sensor_name") for each in self.controllers}
+        read = [each.parameters.get("sensor_name") for each in self.controllers]
         kinds = {each.sensor: each for each in TYPES.values() if each.sensor}
         for name, reading in self.hardware.sensors.items():
             if name in read or reading.type not in kinds:

@@ -11,7 +11,7 @@ from ..losses import RENAMED, Loss
 from ..output import FOLDER, MARK, Output, marked
 from ..parameters import yaml_of
 from ..srdf.writer import write as write_srdf
-from ..table import TARGETS
+from ..table import TARGETS, file_name_for
 from .config import (
     CARTESIAN,
     initial_positions,
@@ -39,7 +39,7 @@ def write(robot: Robot, wanted: Wanted) -> Output:
         YamaroError: the SRDF cannot be written, or a controller lacks what it needs.
     """
     ending = TARGETS["moveit"].ending
-    folder = wanted.file_name or f"{robot.name or wanted.name}{ending}"
+    folder = wanted.file_name or file_name_for(robot.name, "moveit", wanted.name)
     stem = folder.removesuffix(ending)
     package = _package_name(folder)
     plan = Plan(robot, wanted)
@@ -66,11 +66,16 @@ def write(robot: Robot, wanted: Wanted) -> Output:
     texts["CMakeLists.txt"] = cmake_lists(package, has_assets=bool(assets))
     texts |= {f"launch/{name}.launch.py": launch_file(name, stem, package) for name in LAUNCHES}
     files = {name: text.encode() for name, text in texts.items()}
-    files[f"config/{stem}.urdf"] = marked(urdf.encode(), _COMMENT)
     srdf = "".join(write_pieces(semantic.root))
-    files[f"config/{stem}.srdf"] = marked(srdf.encode(), _COMMENT)
+    for ending, text in (("urdf", urdf), ("srdf", srdf)):
+        files[f"config/{stem}.{ending}"] = marked(_for_xacro(text).encode(), _COMMENT)
     warnings = [*semantic.warnings, *plan.warnings, *lacking_limits(robot)]
     return Output(None, losses, files | assets, warnings=warnings)
+
+
+def _for_xacro(text: str) -> str:
+    """Return a document that xacro, with which the builder reads it, leaves as it is."""
+    return text.replace("$(", "$$(").replace("${", "$${")
 
 
 def _package_name(folder: str) -> str:
