@@ -111,7 +111,7 @@ def put_on_floor(writing: Writing) -> None:
             body.attributes = {"name": name, "pos": row((0.0, 0.0, height)), **body.attributes}
 
 
-_ORDER = ("freejoint", "inertial", "joint", "geom", "site", "frame", "camera", "body")
+_ORDER = ("freejoint", "inertial", "joint", "geom", "site", "frame", "camera", "flexcomp", "body")
 _RANKS = {name: rank for rank, name in enumerate(_ORDER)}
 
 
