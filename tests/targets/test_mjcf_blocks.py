@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import pytest
+
 import yamaro
 from tests.consumers.oracles import require_module
 
@@ -201,3 +203,105 @@ def test_joints_through_links_without_mass_are_joints_of_one_body(tmp_path: Path
         ("approximated", "link 'first_link'"),
         ("approximated", "link 'second_link'"),
     ]
+
+
+SCENE = """\
+<mujoco model="scene">
+  <compiler angle="degree"/>
+  <default>
+    <geom friction="0.7 0.1 0.1" condim="4"/>
+    <tendon width="0.01" rgba="1 0 0 1"/>
+    <default class="leg"><joint damping="1" range="-40 50"/><position kp="20"/></default>
+  </default>
+  <asset><model name="finger" file="finger.xml"/></asset>
+  <worldbody>
+    <geom name="floor" type="plane" size="2 2 0.1"/>
+    <camera name="front" pos="2 0 1" xyaxes="0 1 0 -0.5 0 1"/>
+    <body name="target" mocap="true" pos="0.5 0 0.5"><geom size="0.02" contype="0"/></body>
+    <body name="cart" pos="0 0 0.3">
+      <joint name="x" type="slide" axis="1 0 0" pos="0.1 0.2 0"/>
+      <joint name="turn" axis="0 0 1" pos="0 0.1 0" ref="20"/>
+      <geom type="box" size="0.2 0.1 0.05" friction="0.9"/>
+      <frame pos="0.1 0 0.1" euler="0 90 0">
+        <body name="upper"><joint name="hip" class="leg" axis="0 1 0"/>
+          <geom type="capsule" fromto="0 0 0 0 0 -0.3" size="0.03"/>
+          <body name="lower" pos="0 0 -0.3"><joint name="knee" class="leg" axis="0 1 0"/>
+            <geom type="capsule" fromto="0 0 0 0 0 -0.3" size="0.03"/>
+            <site name="upper" pos="0 0 -0.3"/>
+          </body>
+        </body>
+      </frame>
+      <body name="empty" pos="0 0 0.2"><camera name="eye"/></body>
+      <body name="head" pos="0 0 0.1"><joint name="neck" type="ball" damping="0.1"/>
+        <geom size="0.05" pos="0 0 0.05"/></body>
+      <replicate count="3" euler="0 0 60" sep="-">
+        <frame pos="0.2 0 0"><attach model="finger" body="tip" prefix="f_"/></frame>
+      </replicate>
+    </body>
+    <body name="ball" pos="1 0 1"><freejoint name="float"/><geom size="0.1"/></body>
+  </worldbody>
+  <tendon>
+    <fixed name="both"><joint joint="hip" coef="1"/><joint joint="knee" coef="-1"/></fixed>
+    <spatial name="string"><site site="upper"/><site site="f_pad-1"/></spatial>
+  </tendon>
+  <actuator>
+    <position name="b" class="leg" joint="knee" ctrlrange="-30 30"/>
+    <general name="c" joint="hip" gainprm="3" biastype="affine" biasprm="1 -2 -3"/>
+    <motor name="a" tendon="both" gear="2"/>
+    <motor joint="x" gear="40" ctrlrange="-1 1"/>
+  </actuator>
+  <sensor><accelerometer site="upper" name="acc"/><framepos objtype="body" objname="head"/>
+    <jointpos joint="turn"/></sensor>
+  <keyframe><key name="home" qpos="0.1 0.2 0.3 0.4 1 0 0 0 0 0 0 1 0 1 1 0 0 0"/></keyframe>
+</mujoco>
+"""
+FINGER = """\
+<mujoco model="finger">
+  <worldbody>
+    <body name="tip"><joint name="bend" axis="0 1 0"/>
+      <geom type="box" size="0.02 0.02 0.05" mass="0.1"/><site name="pad" pos="0 0 0.05"/></body>
+  </worldbody>
+</mujoco>
+"""
+
+
+def test_mjcf_that_is_read_is_written_as_the_same_model(tmp_path: Path) -> None:
+    require_module("mujoco")
+    from tests.targets.same_mjcf import Comparison
+
+    (tmp_path / "finger.xml").write_text(FINGER)
+    for name, text in {"by_hand": BY_HAND, "scene": SCENE}.items():
+        source, out = tmp_path / f"{name}.xml", tmp_path / f"{name}_made.xml"
+        source.write_text(text)
+        out.write_text(yamaro.build(source, target="mjcf").xml())
+        comparison = Comparison(str(source), str(out))
+        assert comparison.found == {}
+        unlike = comparison.fields.keys() - {"body quat", "joint pos", "joint range"}
+        assert not unlike, comparison.fields
+        actuators = [each for each in comparison.first.names["actuator"] if each]
+        assert [each for each in comparison.second.names["actuator"] if each in actuators] == (
+            actuators
+        )
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "what"),
+    [
+        ('gear="20"', 'gear="20.0001"', "qfrc_actuator"),
+        ('mass="0.5"', 'mass="0.5000001"', "mass matrix"),
+        ('springref="0.1"', 'springref="0.1001"', "qfrc_passive"),
+        ('name="tool" pos="0.1 0 0"', 'name="tool" pos="0.1 0 0.001"', "site poses"),
+        ('name="angle" joint="arm_joint"', 'name="angle" joint="slide"', "sensors"),
+    ],
+)
+def test_models_that_differ_a_little_are_told_apart(
+    tmp_path: Path, old: str, new: str, what: str
+) -> None:
+    require_module("mujoco")
+    from tests.targets.same_mjcf import Comparison
+
+    first, second = tmp_path / "first.xml", tmp_path / "second.xml"
+    first.write_text(BY_HAND)
+    assert old in BY_HAND
+    second.write_text(BY_HAND.replace(old, new))
+    assert what in Comparison(str(first), str(second)).found
