@@ -336,6 +336,8 @@ def test_notes_are_compared_by_what_they_are_about() -> None:
 def test_the_order_of_sensors_and_states_is_compared() -> None:
     one, other = note("sensor", name="a", type="imu"), note("sensor", name="b", type="imu")
     assert told([one, other], [other, one]) == ["sensors: are in another order"]
+    own = [note("sensor", name=name, type="imu", of="mjcf") for name in "ab"]
+    assert told(own, [other, one]) == []  # their block has their order
 
 
 def test_blocks_of_one_thing_are_compared_as_one() -> None:
