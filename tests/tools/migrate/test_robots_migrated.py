@@ -414,3 +414,23 @@ def test_sdf_becomes_parts_with_blocks_at_their_shapes(
         for each in (path, made)
     )
     assert again == own
+
+
+def test_words_in_names_of_files_are_parameters(tmp_path: Path) -> None:
+    limb = (
+        '<body name="{0}_leg"><joint name="{0}_hip" range="-1 1"/>'
+        '<geom name="{0}_thigh" size="0.1" density="2"/><geom name="{0}_shin" size="0.2"/>'
+        '<site name="{1}"/><site name="{2}_sole"/><site name="{2}_toe" pos="1 2 3"/></body>'
+    )
+    limbs = [("fl", "FL", "left"), ("fr", "FR", "right")]
+    path = tmp_path / "twins.xml"
+    path.write_text(
+        '<mujoco><worldbody><body name="trunk"><freejoint/><geom size="0.3"/>'
+        + "".join(limb.format(*each) for each in limbs)
+        + "</body></worldbody></mujoco>"
+    )
+    migration = migration_of(path)
+    assert migration.differences == []
+    assert "frame/name=$(side.upper()):" in migration.text
+    assert "frame/name=$(side_2)_toe: {xyz: 1 2 3}" in migration.text
+    assert "- Leg: {side: fl, side_2: left}" in migration.text

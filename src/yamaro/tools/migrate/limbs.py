@@ -25,6 +25,8 @@ if TYPE_CHECKING:
 MOST_PARAMETERS = 16
 FEW_PARAMETERS, LINES_FOR_ONE = 4, 5
 """Parameters that any function may have; with more, the lines that each has to be worth."""
+BRACED = 90
+"""Characters that a mapping in braces has at most, about."""
 MOST_TRIED = 50
 """Groups of limbs that are looked at, those first that would save most."""
 LEAST_SAVED = 3
@@ -33,6 +35,7 @@ _WORDS = re.compile(r"[^\W\d_]+|\d+|[\W_]+")
 _NUMBER = re.compile(r"([-+]?)((?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)(deg)?")
 _PLAIN = re.compile(r"(?:0|[1-9]\d*)?\.?\d*(?:[eE][-+]?\d+)?")
 _SIDES = frozenset("left right l r front rear back fl fr rl rr lf rf lh rh hl hr".split())
+_ENDS = frozenset("front rear hind back".split())
 _LIMBS = (
     ("Leg", ("leg", "foot", "calf", "shin", "knee", "ankle", "thigh", "tibia", "shank", "hip")),
     ("Finger", ("finger", "thumb", "knuckle", "phalanx", "proximal", "distal", "fingertip")),
@@ -119,10 +122,18 @@ def _size(body: Body, places: Sequence[tuple[int, int]]) -> int:
 
 
 def _lines(entry: Entry) -> int:
+    """Return about how many lines an entry takes."""
     value = entry.value
-    if isinstance(value, Body) and not value.in_braces:
-        return 1 + sum(_lines(each) for each in value)
-    return 1
+    if not isinstance(value, Body) or (value.in_braces and _width(entry) <= BRACED):
+        return 1
+    return 1 + sum(_lines(each) for each in value)
+
+
+def _width(entry: Entry) -> int:
+    """Return about how many characters an entry takes on one line."""
+    value = entry.value
+    inner = sum(_width(each) + 2 for each in value) if isinstance(value, Body) else len(value or "")
+    return len(entry.key) + 2 + inner
 
 
 def _limbs(body: Body) -> Iterator[tuple[int, int]]:
@@ -254,6 +265,7 @@ class _Alike:
         ]
         self._name = self._called(rows)
         self._find_words()
+        self._find_other_words([[text for _, _, text in row] for row in zip(*rows, strict=True)])
         self.texts = [
             self._text(_Hole(row[0][1], row[0][0], [text for _, _, text in row]))
             for row in zip(*rows, strict=True)
@@ -304,6 +316,27 @@ class _Alike:
                 self._words[tuple(column)] = self._new(stem, list(column))
         if len({*names}) < len(names):
             raise _NotAlike
+
+    def _find_other_words(self, holes: list[list[str]]) -> None:
+        """Find words that differ in several texts in the same way, such as in names of meshes."""
+        times: dict[tuple[str, ...], int] = {}
+        for texts in holes:
+            split = [_WORDS.findall(text) for text in texts]
+            if len({len(words) for words in split}) > 1 or any("$(" in text for text in texts):
+                continue
+            for column in zip(*split, strict=True):
+                if len(set(column)) > 1 and all(word.isalpha() for word in column):
+                    times[column] = times.get(column, 0) + 1
+        for column, count in times.items():
+            if column in self._words:
+                continue
+            for known, name in list(self._words.items()):
+                if column == tuple(word.upper() for word in known):
+                    self._words[column] = f"{name}.upper()"
+            if column not in self._words and count > 1:
+                words = {word.lower() for word in column}
+                stem = "side" if words == {"left", "right"} else "end" if words <= _ENDS else "word"
+                self._words[column] = self._new(stem, list(column))
 
     def _new(self, stem: str, values: list[str]) -> str:
         """Add a parameter, and return its name.
