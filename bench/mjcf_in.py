@@ -1,7 +1,7 @@
 """Reads MJCF, writes it as MJCF again, and has MuJoCo judge whether it is still the same.
 
     python bench/mjcf_in.py FOLDER ... [--only REGEX] [--every N] [--show N] [--fields] [--jobs N]
-                            [--seconds N] [--keep FOLDER] [--migrate | --urdf | --times]
+                            [--seconds N] [--keep FOLDER] [--migrate | --urdf | --losses | --times]
                             [--table FILE]
 
 Of every MJCF in the folders that MuJoCo compiles as it is, what Yamaro writes is compiled too, and
@@ -13,8 +13,10 @@ was; `fails` if nothing was written or MuJoCo refuses it. `--fields` also counts
 models that differ, such as friction of geoms. `--migrate` goes through `yamaro migrate` and a
 build of the YAML. `--urdf` writes URDF instead, where it is fixed or free as the model is, and
 compares what pinocchio makes of it: poses of links, mass matrix, inverse dynamics; what is reported
-as lost makes a model `told`. `--times` compares how long MuJoCo compiles each model, and how long
-Yamaro takes to read it and to write it as URDF: the least processor time of five runs in turns.
+as lost makes a model `told`. `--losses` looks for each element of the model, and each value of a
+joint that URDF has not, in the URDF or among what is reported at its line. `--times` compares how
+long MuJoCo compiles each model, and how long Yamaro takes to read it and to write it as URDF: the
+least processor time of five runs in turns.
 """
 
 from __future__ import annotations
@@ -30,6 +32,7 @@ from collections import Counter, defaultdict
 from collections.abc import Iterator
 from multiprocessing import Pool
 from pathlib import Path
+from typing import Any
 
 ROOT = Path(__file__).parents[1]
 sys.path.insert(0, str(ROOT))
@@ -167,6 +170,67 @@ def judge_urdf(path: str, _: str) -> Verdict:
     return verdict
 
 
+IN_URDF = {"body": "link", "site": "link", "joint": "joint"}
+"""What elements become in URDF."""
+ONLY_IN_MJCF = frozenset(
+    "stiffness springref armature ref margin solreflimit solimplimit actuatorgravcomp".split()
+)
+"""Values of joints."""
+REPORTED = frozenset(
+    """
+    actuator sensor tendon equality keyframe contact deformable custom light camera flexcomp
+    """.split()
+)
+"""Sections, and elements in bodies, that URDF has nothing for."""
+
+
+def judge_losses(path: str, _: str) -> Verdict:
+    """Return whether what is in a model is in the URDF, or reported at its line."""
+    from lxml import etree
+
+    try:
+        build = yamaro.build(path, target="urdf", meshes="keep")
+    except yamaro.YamaroError as error:
+        first = error.diagnostics[0]
+        return Verdict(path, FAILS, f"{first.code}: {first.message}")
+    made = etree.fromstring(build.xml().encode())
+    names = {(each.tag, each.get("name")) for each in made}
+    lines = {each.span.location()[0] for each in build.losses if each.span.source.path == path}
+    silent = []
+    told = 0
+    for each in etree.parse(path).getroot().iter(etree.Element):
+        around = [above.tag for above in each.iterancestors()]
+        if "default" in around or "replicate" in around or not _is_lost(each, around, names):
+            continue
+        sections = [above for above in each.iterancestors() if above.tag in REPORTED]
+        its_own = {line for inner in (*each.iter(), *sections) for line in _lines(inner)}
+        if lines.isdisjoint(its_own):
+            silent.append(f"<{each.tag}> at line {each.sourceline}")
+        else:
+            told += 1
+    verdict = Verdict(path, SILENT if silent else EQUAL, ", ".join(silent[:5]))
+    verdict.told = [f"{told} elements"]
+    return verdict
+
+
+def _is_lost(element: Any, around: list[str], names: set[tuple[str, str | None]]) -> bool:
+    """Return whether URDF has nothing for an element of MJCF, or does not have it."""
+    if "worldbody" in around:
+        kind, name = IN_URDF.get(element.tag), element.get("name")
+        is_missing = kind is not None and name is not None and (kind, name) not in names
+        has_more = element.tag == "joint" and not ONLY_IN_MJCF.isdisjoint(element.attrib)
+        return is_missing or has_more or element.tag in REPORTED
+    if len(around) != 2 or around[0] not in REPORTED:
+        return False
+    return around[0] != "equality" or element.tag != "joint"  # which is a mimic joint
+
+
+def _lines(element: Any) -> range:
+    """Return the lines of the start of an element; lxml knows the last one."""
+    most = len(element.attrib) + sum(value.count("  ") for value in element.attrib.values())
+    return range(element.sourceline - most, element.sourceline + 1)
+
+
 def judge_time(path: str, _: str) -> Verdict:
     """Return how long a model takes."""
     own: list[float] = []
@@ -187,7 +251,13 @@ def judge_migrated(path: str, keep: str) -> Verdict:
     return judge_mjcf(path, keep, migrates=True)
 
 
-JUDGES = {"mjcf": judge_mjcf, "urdf": judge_urdf, "times": judge_time, "migrate": judge_migrated}
+JUDGES = {
+    "mjcf": judge_mjcf,
+    "urdf": judge_urdf,
+    "losses": judge_losses,
+    "times": judge_time,
+    "migrate": judge_migrated,
+}
 
 
 def _migrated(source: Path, folder: Path) -> Path:
@@ -252,7 +322,7 @@ def main() -> None:
     parser.add_argument("--show", type=int, default=3)
     parser.add_argument("--fields", action="store_true")
     modes = parser.add_mutually_exclusive_group()
-    for mode in ("migrate", "urdf", "times"):
+    for mode in ("migrate", "urdf", "losses", "times"):
         modes.add_argument(
             f"--{mode}", dest="mode", action="store_const", const=mode, default="mjcf"
         )

@@ -305,3 +305,12 @@ def test_models_that_differ_a_little_are_told_apart(
     assert old in BY_HAND
     second.write_text(BY_HAND.replace(old, new))
     assert what in Comparison(str(first), str(second)).found
+
+
+def test_sensors_of_joints_are_told_where_urdf_is_written(tmp_path: Path) -> None:
+    source = tmp_path / "by_hand.xml"
+    source.write_text(BY_HAND)
+    losses = yamaro.build(source, target="urdf").losses
+    places = {line: number for number, line in enumerate(BY_HAND.splitlines(), start=1)}
+    (sensor,) = [number for line, number in places.items() if "<jointpos" in line]
+    assert sensor in {each.span.location()[0] for each in losses}

@@ -234,7 +234,7 @@ def lost_blocks(robot: Robot, format: str) -> Losses:
         for each in raw.elements:
             inner = each.elements() if each.name in _SECTIONS else [each]
             for element in inner or ([each] if each.attributes else []):
-                if element.body == SAID or _says_nothing(element):
+                if element.body == SAID or _says_nothing(element, each.name):
                     continue
                 trace = element.trace_within(each.trace_within(raw.trace))
                 name = attribute_text(element, "name")
@@ -254,11 +254,12 @@ _STRUCTURE = frozenset(("ref",))
 """What the poses of joints say as well."""
 
 
-def _says_nothing(element: Element) -> bool:
+def _says_nothing(element: Element, section: str) -> bool:
     """Return whether an element of a block is only about how its writer writes the rest."""
     if element.attributes or element.elements():
+        is_ordered = section in ("actuator", "geom", "site", "freejoint")
         is_named = element.attributes.keys() <= {"name", "joint"}
-        return is_named and not element.elements()
+        return is_ordered and is_named and not element.elements()
     text = element.text().strip()
     is_unlimited = element.name.endswith("limited") and text == "false"
     return is_unlimited or element.name in _STRUCTURE or (element.name, text) == ("gravcomp", "0")
