@@ -96,7 +96,7 @@ FILE_WORDS = (
         "set a variable, n:=3, sides:=[left, right], or an argument of xacro",
     ),
 )
-ENDINGS = ("yaml", "yml", "urdf", "xacro")
+ENDINGS = ("yaml", "yml", "urdf", "xacro", "sdf", "mjcf", "xml")
 
 COMMANDS = {
     command.name: command

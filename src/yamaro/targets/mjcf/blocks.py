@@ -105,7 +105,8 @@ class Blocks:
 
     def reference(self, joint: str) -> float:
         """Return the position of a joint that counts as unmoved."""
-        numbers = numbers_in(self.text("joint", joint, REFERENCE) or "")
+        said = self.text("joint", joint, REFERENCE)
+        numbers = () if said is None else numbers_in(said)
         return numbers[0] if len(numbers) == 1 else 0.0
 
     def is_body(self, link: str) -> bool:
