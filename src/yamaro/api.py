@@ -44,7 +44,8 @@ def build(path: str | os.PathLike[str], **options: Unpack[AllOptions]) -> Build:
             are written), "absolute", "copy" (the files of `Build.assets`, which are not written),
             "package://NAME", "package://" (in the package that each is in; others by `file://`), or
             "none", without shapes that are meshes.
-        gazebo: also write the sensors and the surfaces of collisions for Gazebo.
+        gazebo: also write the sensors and the surfaces of collisions for Gazebo, and into SDF the
+            systems that drive joints.
         allow: codes of diagnostics that are warnings, also with `strict`.
         deny: codes of diagnostics that are errors.
         records: let the places in the tree hold which variables were read there, for

@@ -196,7 +196,7 @@ OPTIONS = {
         ),
         Option(
             "gazebo",
-            "also write sensors and surfaces of collisions for Gazebo",
+            "also write sensors, surfaces, and in SDF what drives joints, for Gazebo",
             (BUILD,),
         ),
         Option(

@@ -64,7 +64,8 @@ class Wanted:
         is_named: whether the format was asked for by name; without, URDF is silent about most of
             what it cannot hold.
         has_meshes: whether shapes that are meshes are written.
-        has_gazebo: whether sensors and surfaces are written into URDF for Gazebo.
+        has_gazebo: whether sensors and surfaces are written into URDF for Gazebo, and systems that
+            drive the joints into SDF.
         repairs_inertia: whether inertia that no body can have is balanced, and reported.
         version: of the format, or "" for the default.
         file_name: what the file of the document is called, for files beside it that refer to it;

@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-from itertools import combinations
-
-from ...model.convex import near, overlap
-from ...model.joint import FIXED
 from ...model.pose import UNTURNED, Pose, rotate, transposed
+from ..contacts import disturbing_pairs, lose_contacts
 from ..elements import element
 from ..holding import leader_of
 from .model import EQUALITY, SITE, Writing, pose_attributes
@@ -14,15 +11,11 @@ from .scene import home_poses, solids_at_home
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
     from ...model.extras import Loop
     from ...model.link import Link
     from ...model.pose import Vector
     from ...source import Span
     from ..elements import Attributes
-
-    Pairs = set[tuple[str, str]]
 
 HINGE_LENGTH = 0.1
 """The distance in metres of the two points that make the axis of a hinge."""
@@ -112,42 +105,23 @@ def _site(writing: Writing, loop: Loop, frame: str, wanted: str, axis: Vector | 
 # --- contacts ---------------------------------------------------------------------------------
 
 
-KEEP_HINT = "`keep` of `collisions` names the pairs that have contacts in any case"
-
-
 def add_excludes(writing: Writing) -> None:
     """Append the pairs of links whose contacts only disturb, except those that are to be kept.
 
-    These are adjacent links, also across links that have no shapes to collide, and links that
-    overlap at home, which contacts would push apart; what is lost so is reported.
-
-    Source: MoveIt's setup assistant calls these pairs adjacent, and default; MuJoCo leaves out only
-    adjacent ones of which the upper body can move. Where a block has a section `contact`, the file
-    itself says which pairs have none.
+    MuJoCo itself leaves out only adjacent links of which the upper body can move. Where a block has
+    a section `contact`, the file itself says which pairs have none.
     """
     if writing.blocks.is_whole:
         return
-    rigid: dict[str, str] = {}
-    for link in writing.plan.order:
-        joint = writing.robot.parent_joint(link.name)
-        is_fixed = joint is not None and joint.type == FIXED
-        rigid[link.name] = rigid[joint.parent] if joint is not None and is_fixed else link.name
-    settings = writing.robot.collision_settings
-    kept = {frozenset(pair) for pair in settings.keep} if settings is not None else set()
-    seen: Pairs = set()
-    for first, second in _adjacent(writing):
-        if frozenset((first.name, second.name)) not in kept:
-            if rigid[first.name] != rigid[second.name]:
-                _exclude(writing, first, second, seen)
-    for first, second in _overlapping(writing, rigid):
-        if frozenset((first.name, second.name)) not in kept:
-            if _exclude(writing, first, second, seen):
-                what = "contacts of links that overlap at home"
-                label = f"links '{first.name}' and '{second.name}'"
-                writing.losses.lose(what, second, label=label, hint=KEEP_HINT)
+    plan, seen = writing.plan, set[tuple[str, str]]()
+    for first, second, overlaps in disturbing_pairs(
+        writing.robot, plan.order, solids_at_home(writing), still=plan.static, world=plan.world
+    ):
+        if _exclude(writing, first, second, seen) and overlaps:
+            lose_contacts(writing.losses, first, second)
 
 
-def _exclude(writing: Writing, first: Link, second: Link, seen: Pairs) -> bool:
+def _exclude(writing: Writing, first: Link, second: Link, seen: set[tuple[str, str]]) -> bool:
     """Append a pair of links, unless that of their bodies is there; return whether it was not."""
     pair = (writing.body_name(first.name), writing.body_name(second.name))
     if pair in seen or pair[::-1] in seen:
@@ -157,55 +131,3 @@ def _exclude(writing: Writing, first: Link, second: Link, seen: Pairs) -> bool:
     made = element("exclude", {"body1": pair[0], "body2": pair[1]}, owner=owner)
     writing.add("contact", made)
     return True
-
-
-def _overlapping(writing: Writing, rigid: dict[str, str]) -> Iterator[tuple[Link, Link]]:
-    """Yield pairs of links that overlap at home, in the order of the robot.
-
-    Links that cannot move against each other are left out, and those of which one carries the other
-    and can move: MuJoCo has no contacts of them.
-    """
-    solids = solids_at_home(writing)
-    static = writing.plan.static
-    above: dict[str, str | None] = {}
-    for name in dict.fromkeys(rigid.values()):
-        joint = writing.robot.parent_joint(name)
-        carrier = rigid[joint.parent] if joint is not None else None
-        above[name] = carrier if carrier not in static else None
-    found: set[tuple[str, str]] = set()
-    for index, other in sorted(near([solid.convex for solid in solids])):
-        first, second = solids[index], solids[other]
-        one, two = rigid[first.link.name], rigid[second.link.name]
-        if one == two or above[one] == two or above[two] == one:
-            continue
-        if one in static and two in static:
-            continue
-        pair = (first.link.name, second.link.name)
-        if pair not in found and overlap(first.convex, second.convex):
-            found.add(pair)
-            yield first.link, second.link
-
-
-def _adjacent(writing: Writing) -> Iterator[tuple[Link, Link]]:
-    """Yield pairs of links with shapes that collide, and nothing but links without between them."""
-    robot, world = writing.robot, writing.plan.world
-    around: dict[str, list[Link]] = {}  # by the uppermost of connected links without shapes
-    uppermost: dict[str, str] = {}
-    for link in writing.plan.order:
-        joint = robot.parent_joint(link.name)
-        above = robot.links[joint.parent] if joint is not None else None
-        if link.collisions:
-            if above is None:
-                continue
-            if above.collisions:
-                yield above, link
-            elif above is not world:
-                around[uppermost[above.name]].append(link)
-            continue
-        if above is None or above.collisions or above is world:
-            uppermost[link.name] = link.name
-            around[link.name] = [above] if above is not None and above.collisions else []
-        else:
-            uppermost[link.name] = uppermost[above.name]
-    for links in around.values():
-        yield from combinations(links, 2)

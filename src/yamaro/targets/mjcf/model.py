@@ -24,9 +24,9 @@ if TYPE_CHECKING:
     from ...model.robot import Robot
     from ...model.values import Written
     from ...source import Span
+    from ..contacts import Solid
     from ..elements import Attributes
     from ..output import Wanted
-    from .scene import Solid
 
 
 BODY, JOINT, GEOM, SITE, CAMERA = "body", "joint", "geom", "site", "camera"

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from ...model.convex import Convex
 from ...model.kinematics import link_poses
 from ...model.pose import Pose
 from ...model.positions import HOME, home_positions, positions_in
 from ...model.shapes import Mesh
 from ...xml.values import escaped_attribute
+from ..contacts import solids_at
 from ..elements import number, row
 from ..output import MARK
 from .assets import Looks
@@ -17,24 +17,14 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
-    from ...model.link import Link
     from ...model.robot import Robot
+    from ..contacts import Solid
     from ..output import Wanted
 
 
 DOWN = (0.0, 0.0, -1.0)
 DIGITS = 12
 """Decimals of a height in metres: more is rounding."""
-
-
-class Solid:
-    """A convex shape, and the link that it is of."""
-
-    __slots__ = ("convex", "link")
-
-    def __init__(self, link: Link, convex: Convex) -> None:
-        self.link = link
-        self.convex = convex
 
 
 def home_poses(writing: Writing) -> dict[str, Pose]:
@@ -45,20 +35,8 @@ def home_poses(writing: Writing) -> dict[str, Pose]:
 def solids_at_home(writing: Writing) -> Sequence[Solid]:
     """Return what collides, in the order of the links, in the axes of the root."""
     if writing.solids is None:
-        writing.solids = solids_at(writing, home_poses(writing))
+        writing.solids = solids_at(writing.collisions, home_poses(writing))
     return writing.solids
-
-
-def solids_at(writing: Writing, poses: Mapping[str, Pose]) -> list[Solid]:
-    """Return what collides where the links have these poses."""
-    found = []
-    for link, collision, points in writing.collisions:
-        shape = collision.shape
-        simple = None if shape is None or isinstance(shape, Mesh) else shape
-        if simple is not None or points:
-            placed = poses[link.name] @ collision.pose
-            found.append(Solid(link, Convex(placed, simple, points)))
-    return found
 
 
 def heights_at(writing: Writing, poses: Mapping[str, Pose]) -> dict[str, float]:
@@ -69,7 +47,7 @@ def heights_at(writing: Writing, poses: Mapping[str, Pose]) -> dict[str, float]:
     """
     lowest: dict[str, float] = {}
     carriers = writing.plan.free
-    for solid in solids_at(writing, poses) if any(carriers.values()) else ():
+    for solid in solids_at(writing.collisions, poses) if any(carriers.values()) else ():
         carrier = carriers[solid.link.name]
         if carrier is not None:
             height = solid.convex.farthest(DOWN)[2]
@@ -168,7 +146,7 @@ def _floor(writing: Writing) -> float:
     lowest = 0.0
     for state in (states.get(HOME), *states.values()):
         for solid in solids_at(
-            writing, link_poses(writing.robot, positions_in(writing.robot, state))
+            writing.collisions, link_poses(writing.robot, positions_in(writing.robot, state))
         ):
             if solid.link.name in held:
                 lowest = min(lowest, solid.convex.farthest(DOWN)[2])

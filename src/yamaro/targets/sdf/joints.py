@@ -35,10 +35,12 @@ class JointWriter:
 
     Attributes:
         losses: what SDFormat cannot hold of them.
+        gains: those that are chosen where none are given.
+        efforts: the greatest effort of each joint that was made and is driven, in N·m or N.
         has_drake: whether a joint that was made has elements of Drake.
     """
 
-    __slots__ = ("_gains", "_has_mimic", "_names", "_robot", "has_drake", "losses")
+    __slots__ = ("_has_mimic", "_names", "_robot", "efforts", "gains", "has_drake", "losses")
 
     def __init__(
         self,
@@ -59,7 +61,8 @@ class JointWriter:
             is_fixed: whether its root is fixed in the world.
         """
         self._robot = robot
-        self._gains = Gains(robot, is_fixed=is_fixed, has_armature=True)
+        self.gains = Gains(robot, is_fixed=is_fixed, has_armature=True)
+        self.efforts: dict[str, float | None] = {}
         self.has_drake = False
         self._names = names
         self._has_mimic = version != "1.9"
@@ -145,6 +148,7 @@ class JointWriter:
         self.losses += lost_values(actuator, "sdf")
         self.losses += lost_lines(actuator)
         command = actuator.command
+        self.efforts[joint.name] = self._effort_of(joint)
         made: list[Element] = []
         if actuator.armature:
             inertia, gear = actuator.armature, 1.0
@@ -153,10 +157,10 @@ class JointWriter:
             made += given(("drake:rotor_inertia", inertia), ("drake:gear_ratio", gear))
         kp = kd = 0.0  # those that are not given are as in MJCF
         if command == POSITION:
-            kp = actuator.kp if actuator.kp is not None else self._gains.of_position(joint)
-            kd = actuator.kd if actuator.kd is not None else self._gains.damping(joint, kp)
+            kp = actuator.kp if actuator.kp is not None else self.gains.of_position(joint)
+            kd = actuator.kd if actuator.kd is not None else self.gains.damping(joint, kp)
         elif command == VELOCITY:
-            kd = self._gains.of_velocity(joint, actuator)
+            kd = self.gains.of_velocity(joint, actuator)
         if kp or kd:
             made.append(element("drake:controller_gains", {"p": kp, "d": kd}))
         self.has_drake = self.has_drake or bool(made)

@@ -7,7 +7,8 @@ from ...model.joint import FIXED, FLOATING, SINGLE
 from ...model.kinematics import WORLD
 from ...model.pose import IDENTITY
 from ..bodies import Bodies
-from ..elements import element, given
+from ..contacts import filtered_pairs
+from ..elements import element, given, settle
 from ..foreign_xml import RawXmlOf, foreign_losses
 from ..holding import cones, lost_sections, renamed_sensors
 from ..inertia import Inertias
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
 MODEL_FRAME = "__model__"
 NAMESPACE = "http://gazebosim.org/schema"
 """Of what Gazebo adds to SDFormat."""
+IGNORED = "ignored_collision_filter_group"
 DRAKE = "https://drake.mit.edu"
 """Of what Drake adds to it."""
 
@@ -65,6 +67,7 @@ class _Model:
         self._joint_writer = JointWriter(
             robot, self._names.joints, self._version, self._losses, is_fixed=wanted.is_fixed
         )
+        self._has_filters = False
         self._members: dict[str, list[Link]] = {}
         for link in self._bodies.order:
             carrier = self._bodies.carriers[link.name]
@@ -91,6 +94,7 @@ class _Model:
                 ends = given(("parent", WORLD), ("child", child))
                 parts.append(element("joint", fixed, children=ends, owner=link))
         parts += [self._loop(loop) for loop in robot.loops.values()]
+        parts += self._filters()
         parts += self._blocks.model
         if not self._members and not any(each.name == "static" for each in parts):
             # SDFormat has a model without links only if it is static.
@@ -103,10 +107,18 @@ class _Model:
         name = robot.name or self._wanted.name
         model = element("model", {"name": name, "canonical_link": canonical}, children=parts)
         model = merged(model, self._raw.robot)
+        if self._wanted.has_gazebo:  # after the merge, by which plugins of a class would be one
+            from .systems import joint_systems
+
+            plugins = [each for each in model.elements() if each.name == "plugin"]
+            writer, joints = self._joint_writer, self._names.joints
+            systems = joint_systems(robot, joints, writer.gains, writer.efforts, plugins)
+            settle(systems, model.span, model.trace)
+            model = model.with_children([*model.children, *systems])
         attributes: Attributes = {"version": self._version}
         if self._copier.has_custom:
             attributes["xmlns:gz"] = NAMESPACE
-        if self._joint_writer.has_drake:
+        if self._joint_writer.has_drake or self._has_filters:
             attributes["xmlns:drake"] = DRAKE
         root = element("sdf", attributes, children=[model], owner=robot.element)
         for actuator in robot.actuators.values():
@@ -121,6 +133,36 @@ class _Model:
             for kind, known in (("link", self._names.links), ("joint", self._names.joints))
         }
         return Output(root, self._losses, names=names)
+
+    def _filters(self) -> list[Element]:
+        """Return the groups by which Drake, which lets all links touch, leaves out pairs of them.
+
+        Each link that is in a pair is in a group of its own. Gazebo has no contacts within a model
+        unless it says `self_collide`.
+        """
+        ignored: dict[str, list[str]] = {}
+        owners: dict[str, Link] = {}
+        for one, other, link in filtered_pairs(
+            self._robot, self._bodies, self._wanted, self._losses
+        ):
+            ignored.setdefault(one, []).append(other)
+            ignored.setdefault(other, [])
+            owners.setdefault(one, link)
+            owners.setdefault(other, link)
+        self._has_filters = bool(ignored)
+        called = {name: self._names.new(f"{self._names.links[name]}_contacts") for name in ignored}
+        return [
+            element(
+                "drake:collision_filter_group",
+                {"name": called[name]},
+                children=[
+                    element("drake:member", text=self._names.links[name]),
+                    *(element(f"drake:{IGNORED}", text=called[other]) for other in others),
+                ],
+                owner=owners[name],
+            )
+            for name, others in ignored.items()
+        ]
 
     # --- links and frames ---
 

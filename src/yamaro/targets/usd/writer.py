@@ -10,6 +10,7 @@ from ...diagnostics import YamaroError
 from ...model.kinematics import link_poses
 from ...model.pose import Pose
 from ..bodies import Bodies
+from ..contacts import filtered_pairs
 from ..elements import element
 from ..foreign_xml import foreign_losses
 from ..holding import lost_sections
@@ -141,6 +142,9 @@ class _Model:
         sensors = SensorWriter(self.stage, robot, bodies, paths, names, self.root)
         sensors.write()
         self.losses += sensors.losses
+        for one, other, _ in filtered_pairs(robot, bodies, self._wanted, self.losses):
+            filtered = UsdPhysics.FilteredPairsAPI.Apply(self.stage.GetPrimAtPath(paths[one]))
+            filtered.CreateFilteredPairsRel().AddTarget(paths[other])
         self.files = self._shapes.files
         self.losses += self._shapes.losses
         self.losses += joints.losses
