@@ -184,7 +184,7 @@ def _check(lowering: Lowering, names: _LinkTree, note: RobotNote) -> None:
                         trace=each.trace,
                     )
                 )
-    if note.name == "robot-loop":
+    if note.name == "robot-loop" and "of" not in note.attributes:
         _error(
             lowering,
             "lost-in-urdf",

@@ -329,3 +329,46 @@ def test_cameras_and_distances_look_along_x(tmp_path) -> None:
     frame = robot.poses({})[far.frame]
     assert (frame @ far.pose).apply((1, 0, 0)) == pytest.approx((1, 0, 0), abs=1e-12)
     assert far.details.range == (0.0, 7.0)
+
+
+LOOP = """
+<mujoco><worldbody><body name="base"><geom size="0.1"/>
+  <body name="a" pos="0 0 0.3" euler="10 0 0"><joint name="a" axis="0 1 0"/><geom size="0.1"/>
+    <site name="s" pos="0.1 0 0"/></body>
+  <body name="b" pos="0.3 0 0" euler="0 20 0"><joint name="b" axis="0 1 0" ref="30"/>
+    <geom size="0.1"/><site name="t" pos="0 0.2 0"/></body>
+</body></worldbody>
+<equality>{}</equality></mujoco>"""
+
+
+@pytest.mark.parametrize(
+    ("equality", "kind"),
+    [
+        ('<connect name="l" body1="a" body2="b" anchor="0.1 0.2 0.3"/>', "ball"),
+        ('<weld name="l" body1="a" body2="b"/>', "fixed"),
+        ('<weld name="l" body1="a" body2="b" relpose="0.1 0.2 0.3 1 0.2 0 0"/>', "fixed"),
+        ('<connect name="l" site1="s" site2="t"/>', "ball"),
+    ],
+)
+def test_loops_hold_where_mujoco_holds_them(equality: str, kind: str, tmp_path) -> None:
+    import mujoco
+    import numpy as np
+
+    path = saved(tmp_path, LOOP.format(equality))
+    robot = Robot.from_mjcf(path)
+    loop = robot.loops["l"]
+    assert loop.type == kind
+    model = mujoco.MjModel.from_xml_path(str(path))
+    data = mujoco.MjData(model)
+    data.qpos[:] = [0.3, -0.4]
+    mujoco.mj_forward(model, data)
+    gap = data.efc_pos[:3]
+    poses = robot.poses({"a": 0.3, "b": -0.4})
+    one, other = (np.array(poses[name].matrix()) for name in loop.between)
+    assert np.linalg.norm(one[:3, 3] - other[:3, 3]) == pytest.approx(np.linalg.norm(gap), rel=1e-9)
+
+
+def test_urdf_reports_loops_and_is_written(tmp_path) -> None:
+    path = saved(tmp_path, LOOP.format('<weld name="l" body1="a" body2="b"/>'))
+    build = yamaro.build(str(path), target="urdf", on_message=lambda line: None)
+    assert "loops" in [loss.what for loss in build.losses]

@@ -85,10 +85,16 @@ class Builder:
         self.inner: dict[str, list[Node]] = {}
         self.rest: list[Node] = []
         self.geoms: dict[str, list[Geom]] = {}
-        self._names: dict[str, set[str]] = {"body": {WORLD}, "joint": set(), "sensor": set()}
+        self._names: dict[str, set[str]] = {
+            "body": {WORLD},
+            "joint": set(),
+            "sensor": set(),
+            "loop": set(),
+        }
         self._counts: dict[tuple[str, str], int] = {}
         self._colors: dict[Color, str] = {}
         self.has_capsule = False
+        self._initial_poses: dict[str, Pose] | None = None
         self._weighed_later: set[str] = set()  # links whose mass only MuJoCo knows
         self._name_all()
         self.has_world = self._needs_world()
@@ -229,6 +235,22 @@ class Builder:
             self._counts[kind, wanted] = count
         taken.add(name)
         return name
+
+    def initial_poses(self) -> dict[str, Pose]:
+        """Return T_world_body of bodies with all joints at their references, without mocap bodies.
+
+        The world is one of them where it is a link.
+        """
+        if self._initial_poses is None:
+            found = {WORLD: IDENTITY} if self.has_world else {}
+            whole = {id(self.world): IDENTITY}
+            for body in self.world.iter():
+                for child in body.bodies:
+                    whole[id(child)] = whole[id(body)] @ child.pose
+                    if child.thing.text("mocap") != "true":
+                        found[child.name] = whole[id(child)]
+            self._initial_poses = found
+        return self._initial_poses
 
     # --- the root ---
 

@@ -9,6 +9,7 @@ from ...xml.tree import SAID, Element
 from .blocks import block, kept
 from .classes import unknown
 from .compiler import given_by, numbers, truth
+from .loops import KINDS, add_loop
 from .tree import Thing
 from .words import add_sensors, add_state
 
@@ -65,7 +66,9 @@ def add_sections(builder: Builder) -> None:
                     add_state(builder, thing, element)
                 keep(section.name, element)
     add_sensors(builder, sensors)
-    for element in builder.equalities:
+    for thing, element in builder.equalities:
+        if thing.kind in KINDS:
+            add_loop(builder, thing, element)
         keep("equality", element)
     for element in builder.drives.order():
         keep("actuator", element)
@@ -119,7 +122,7 @@ def read_mimics(
     joints: Mapping[str, str],
     refs: Mapping[str, float],
     driven: set[str],
-) -> tuple[dict[str, Mimic], list[Element]]:
+) -> tuple[dict[str, Mimic], list[tuple[Thing, Element]]]:
     """Return the joints that follow others by name, and what is kept of all equalities.
 
     An equality of two joints is q₁ − r₁ = a + b·(q₂ − r₂) with the references r.
@@ -131,11 +134,11 @@ def read_mimics(
         driven: the joints with an actuator of the model, which cannot follow others.
     """
     mimics: dict[str, Mimic] = {}
-    elements: list[Element] = []
+    elements: list[tuple[Thing, Element]] = []
     for context in contexts:
         for thing in context.things("equality"):
             element = kept(thing)
-            elements.append(element)
+            elements.append((thing, element))
             if thing.kind == "joint":
                 follower, leader = thing.given.get("joint1"), thing.given.get("joint2")
                 for named in (follower, leader):

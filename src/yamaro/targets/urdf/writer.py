@@ -23,8 +23,8 @@ GAZEBO_HINT = "--gazebo also writes it for Gazebo"
 def write(robot: Robot, wanted: Wanted) -> Output:
     """Return a robot as URDF, with meshes named as they are in the source.
 
-    Loops are not among the losses, since lowering refuses them. What the robot says to Gazebo in
-    elements of its own is written already, and so is not to be read.
+    Loops that YAML says are not among the losses, since lowering refuses them. What the robot says
+    to Gazebo in elements of its own is written already, and so is not to be read.
     """
     reporter, root, losses = Reporter(), robot.element, Losses()
     if wanted.has_gazebo:
@@ -52,6 +52,9 @@ def write(robot: Robot, wanted: Wanted) -> Output:
             held += GAINS
         losses += lost_values(actuator, "urdf", but=held)
     losses += lost_sections(robot, states=True)
+    for loop in robot.loops.values():
+        if loop.written("of") is not None:  # of others lowering says it
+            losses.lose("loops", loop)
     if robot.base is not None and robot.base.type == "free":
         losses.lose("free bases", robot.base, label=f"robot '{robot.name}'")
     return output
