@@ -38,7 +38,7 @@ def test_what_is_lost_whatever_it_is_is_found_by_thing() -> None:
     assert list(lost_fields("mjcf", "limit")) == [
         *("velocity", "acceleration", "deceleration", "jerk"),
     ]
-    assert lost_fields("sdf", "limit").keys() == {"acceleration", "deceleration", "jerk"}
+    assert lost_fields("sdf", "limit").keys() == {"deceleration", "jerk"}
     assert not lost_fields("urdf", "limit")
 
 

@@ -133,9 +133,13 @@ ROWS: dict[str, tuple[Cell, Cell, Cell, Cell]] = {
         *("velocity", "velocity"),
         *(_lost("velocity limits"), "newton:velocityLimit"),
     ),
+    "limit.acceleration": (
+        *("acceleration", "drake:acceleration"),
+        *(_lost("acceleration limits"), _lost("acceleration limits")),
+    ),
     **{
         f"limit.{name}": (name, lost, lost, lost)
-        for name in ("acceleration", "deceleration", "jerk")
+        for name in ("deceleration", "jerk")
         for lost in [_lost(f"{name} limits")]
     },
     "dynamics.damping": ("damping", "damping", "damping", "newton:damping"),

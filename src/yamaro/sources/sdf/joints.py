@@ -14,7 +14,7 @@ from ...model.joint import CONTINUOUS, FIXED, FLOATING, PRISMATIC, REVOLUTE
 from ...model.pose import IDENTITY, Pose, Vector, rotate, transposed
 from ...model.values import attribute_text, child_named, content, inside
 from ...xml.tree import Element, RobotNote
-from ...xml.values import format_value
+from ...xml.values import Numbers, format_value
 from .kept import check_words, clean, kept_of, leaf
 from .shapes import origin
 from .values import UNLIMITED, text_span
@@ -44,7 +44,7 @@ NEGLIGIBLE = 1e-12
 AXIS: Held = {
     "xyz": True,
     "use_parent_model_frame": True,
-    "limit": dict.fromkeys(("lower", "upper", "effort", "velocity"), True),
+    "limit": dict.fromkeys(("lower", "upper", "effort", "velocity", "drake:acceleration"), True),
     "dynamics": dict.fromkeys(("damping", "friction"), True),
 }
 DIRECTION = frozenset(("xyz", "use_parent_model_frame"))
@@ -285,20 +285,21 @@ class JointReader:
         reading = self._reading
         lower, upper = self._bounds(element)
         effort, velocity = (reading.limit(limit, name, -1.0) for name in ("effort", "velocity"))
-        acceleration = child_named(limit, "drake:acceleration") if limit is not None else None
+        fastest = reading.limit(limit, "drake:acceleration", -1.0)
         values = {
             "effort": effort if 0 <= effort < inf else UNLIMITED,
             "velocity": velocity if 0 <= velocity < inf else UNLIMITED,
         }
         if kind != CONTINUOUS:
             values = {"lower": max(lower, -UNLIMITED), "upper": min(upper, UNLIMITED), **values}
-        elif min(values.values()) == UNLIMITED:
+        elif min(values.values()) == UNLIMITED and not 0 <= fastest < inf:
             return []
-        if acceleration is not None and 0 <= reading.limit(limit, "drake:acceleration", -1) < inf:
-            values["acceleration"] = reading.limit(limit, "drake:acceleration", -1)
+        if 0 <= fastest < inf:
+            values["acceleration"] = fastest
         owner = limit if limit is not None else element
         spans = self._spans(limit, values) if limit is not None else {}
-        return [making.element("limit", reading.place(owner.span, spans), values)]
+        written = {name: _as_written(limit, name, value) for name, value in values.items()}
+        return [making.element("limit", reading.place(owner.span, spans), written)]
 
     def _spans(self, owner: Element, names: Iterable[str]) -> dict[str, Span]:
         found: dict[str, Span] = {}
@@ -410,6 +411,16 @@ class JointReader:
             return number
         self._reading.fail("bad-sdf", f"'{text}' is not a number", element.value_span(name))
         return default
+
+
+def _as_written(parent: Element | None, name: str, value: float) -> Numbers:
+    """Return a number as the child that says it spells it, else as it is computed."""
+    text = content(child_named(parent, name)) if parent is not None else None
+    try:
+        is_same = text is not None and float(text) == value
+    except ValueError:
+        is_same = False
+    return Numbers((text,), (value,), (value,)) if text and is_same else Numbers.of(value)
 
 
 def _compose(first: Pose, second: Pose) -> Pose:

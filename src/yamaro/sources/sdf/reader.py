@@ -363,6 +363,13 @@ class _Robot:
         """Add a link with its mass and its shapes."""
         reading, name, element = self._reading, self._names[link], link.element
         check_words(reading, element)
+        for attribute in element.attributes:
+            if attribute != "name":
+                reading.warn(
+                    "sdf-lost",
+                    f"the attribute '{attribute}' of the link '{link.name}' is lost",
+                    element.name_span(attribute),
+                )
         shapes = Shapes(reading, name, self._colors)
         kept: list[Element] = []
         collisions: list[tuple[Element, Pose]] = []
@@ -488,6 +495,13 @@ class _Robot:
             if scope.include is not None:
                 check_words(self._reading, scope.include)
                 kept += [each for each in scope.include.elements() if each.name == "plugin"]
+                for each in scope.include.elements():
+                    if ":" in each.name:
+                        self._reading.warn(
+                            "sdf-lost",
+                            f"what <{each.name}> changes in the included model is lost",
+                            each.span,
+                        )
                 own = child_named(scope.include, "static")
                 if own is not None:
                     kept = [own, *(each for each in kept if each.name != "static")]

@@ -74,28 +74,34 @@ class Tree:
         seen: set[Anchor | None] = set()
         used: set[Edge] = set()
 
+        def take(edge: Edge, reached: list[Anchor | None]) -> None:
+            self._take(edge, used)
+            seen.add(edge.bottom)
+            reached.append(edge.bottom)
+
         def grow(start: Anchor | None) -> None:
-            """Take all that joints lead to from a root: forwards first, backwards where not."""
+            """Take all that is reached: by each link's first joint, by others, and backwards."""
             seen.add(start)
-            ahead, behind = [start], [start]
-            while ahead:
-                for link in ahead:
-                    for edge in below.get(link, ()):
+            reached: list[Anchor | None] = [start]
+            ahead = others = behind = 0  # how many of those reached were looked at, in each way
+            while behind < len(reached):
+                if ahead < len(reached):
+                    for edge in below.get(reached[ahead], ()):
+                        if edge.child not in seen and above[edge.child][0] is edge:
+                            take(edge, reached)
+                    ahead += 1
+                elif others < len(reached):
+                    for edge in below.get(reached[others], ()):
                         if edge.child not in seen:
-                            self._take(edge, used)
-                            seen.add(edge.child)
-                            ahead.append(edge.child)
-                            behind.append(edge.child)
-                ahead = []
-                while behind and not ahead:
-                    link = behind.pop(0)
+                            take(edge, reached)
+                    others += 1
+                else:
+                    link = reached[behind]
                     for edge in above.get(link, ()) if link is not None else ():
                         if edge not in used and edge.parent not in seen:
                             edge.is_reversed = True
-                            self._take(edge, used)
-                            seen.add(edge.parent)
-                            ahead.append(edge.parent)
-                            behind.append(edge.parent)
+                            take(edge, reached)
+                    behind += 1
 
         if None in below:
             grow(None)

@@ -113,9 +113,11 @@ class JointWriter:
                 lower, upper = upper, lower
                 what, how = "limits in the wrong order", "swapping them"
                 self.losses.approximate(what, joint, how=how)
+            fastest = limit.acceleration
+            self.has_drake = self.has_drake or fastest is not None
             bounds = {
                 "lower": lower, "upper": upper, "effort": self._effort_of(joint),
-                "velocity": limit.velocity,
+                "velocity": limit.velocity, "drake:acceleration": fastest,
             }  # fmt: skip
             limits = given(
                 *(pair for pair in bounds.items() if pair[1] is None or abs(pair[1]) < UNLIMITED)
