@@ -100,6 +100,15 @@ def sort_bodies(writing: Writing) -> None:
     """Put what bodies hold in the usual order: what they are, shapes, sites, inner bodies."""
     for body in (writing.sections["worldbody"], *writing.bodies.values()):
         body.children.sort(key=_rank)
+        flexes = [each for each in body.elements() if each.name == "flexcomp"]
+        for flex in flexes:  # their bodies are counted where the file has them among others
+            place, index = flex.span, body.children.index(flex)
+            for at, each in enumerate(body.children[:index]):
+                is_body = isinstance(each, Element) and each.name == "body"
+                same = is_body and each.span.source is place.source
+                if same and each.span.start > place.start:
+                    body.children.insert(at, body.children.pop(index))
+                    break
 
 
 def put_on_floor(writing: Writing) -> None:
@@ -111,7 +120,7 @@ def put_on_floor(writing: Writing) -> None:
             body.attributes = {"name": name, "pos": row((0.0, 0.0, height)), **body.attributes}
 
 
-_ORDER = ("freejoint", "inertial", "joint", "geom", "site", "frame", "camera", "flexcomp", "body")
+_ORDER = ("freejoint", "inertial", "joint", "geom", "site", "frame", "camera", "body")
 _RANKS = {name: rank for rank, name in enumerate(_ORDER)}
 
 
