@@ -264,7 +264,7 @@ def _migrated(source: Path, folder: Path) -> Path:
     from yamaro.commands.main import main
 
     made = folder / f"{source.stem}.yaml"
-    code = main(["migrate", str(source), "-o", str(made)])
+    code = main(["migrate", "--trust", str(source), "-o", str(made)])
     if code not in (0, None):
         raise RuntimeError(f"migrate ended with {code}")
     return made

@@ -318,7 +318,9 @@ def setting(name: str, value: str) -> Element:
 
 
 def told(first: Sequence[Element], second: Sequence[Element]) -> list[str]:
-    root = Element("robot", SPAN, {"name": "a"}, [Element("link", SPAN, {"name": "tip"})])
+    ends = [Element("parent", SPAN, {"link": "l"}), Element("child", SPAN, {"link": "tip"})]
+    joint = Element("joint", SPAN, {"name": "tip_joint", "type": "fixed"}, [*ends])
+    root = Element("robot", SPAN, {"name": "a"}, [joint])
     return [str(each) for each in compare_notes((root, first), (root, second))]
 
 
@@ -434,3 +436,15 @@ def test_words_in_names_of_files_are_parameters(tmp_path: Path) -> None:
     assert "frame/name=$(side.upper()):" in migration.text
     assert "frame/name=$(side_2)_toe: {xyz: 1 2 3}" in migration.text
     assert "- Leg: {side: fl, side_2: left}" in migration.text
+
+
+def test_a_site_of_the_name_of_its_body_stays_apart_from_it(tmp_path: Path) -> None:
+    path = tmp_path / "one.xml"
+    path.write_text(
+        '<mujoco><worldbody><body name="arm"><geom size="0.1"/><freejoint/>'
+        '<site name="arm" size="0.3" group="2"/></body></worldbody></mujoco>'
+    )
+    migration = migration_of(path)
+    assert migration.differences == []
+    made = yamaro.build(str(tmp_path / "one.yaml"), text=migration.text, target="mjcf").xml()
+    assert made == yamaro.build(str(path), target="mjcf").xml()

@@ -6,6 +6,7 @@ from ...diagnostics import Diagnostic
 from ...model.joint import FIXED, FLOATING, PLANAR, SINGLE
 from ...model.kinematics import WORLD, joint_transform
 from ...model.pose import IDENTITY, UNTURNED, quaternion_from_rotation
+from ...model.values import attribute_text
 from ...xml.tree import Element
 from ..elements import UsedNames, element
 from ..inertia import Inertias
@@ -68,7 +69,12 @@ class Plan:
         self._robot = robot
         self._blocks = blocks
         self._is_fixed = is_fixed
-        sensors = [each for each in robot.sensors.values() if each.written("of") != "mjcf"]
+        given = _given_by_blocks(robot, blocks)
+        sensors = [
+            each
+            for each in robot.sensors.values()
+            if each.written("of") != "mjcf" and each.name not in given
+        ]
         self._needed = {each.joint for each in sensors} | {each.frame for each in sensors}
         self._needed.update(frame for loop in robot.loops.values() for frame in loop.between)
         self.passed: dict[str, str] = {}
@@ -186,6 +192,26 @@ JOINTS = ("joint", "freejoint")
 """The elements that are joints of a body."""
 NOISE = 1e-16
 """What is smaller in a position or a quaternion comes from rounding."""
+
+
+def _given_by_blocks(robot: Robot, blocks: Blocks) -> set[str]:
+    """Return the names of sensors that a block of the robot has as MuJoCo's, at sites."""
+    from .sensors import WORDS
+
+    kinds: dict[str, set[str]] = {}
+    for each in blocks.in_section(SENSOR):
+        kinds.setdefault(attribute_text(each, "site") or "", set()).add(each.name)
+    found: set[str] = set()
+    for sensor in robot.sensors.values() if kinds else ():
+        joint = robot.joints.get(sensor.joint) if sensor.joint is not None else None
+        place = sensor.frame if joint is None else joint.child
+        fixed = [each.child for each in robot.joints_below(place or "") if each.type == FIXED]
+        words = set(WORDS.get(sensor.type, ()))
+        if any(not words.isdisjoint(kinds.get(each, ())) for each in (place or "", *fixed)):
+            found.add(sensor.name)
+    return found
+
+
 SECTIONS = ("asset", "worldbody", "contact", "equality", "actuator", "sensor", "keyframe")
 """The sections whose content is gathered, in the order of the document."""
 

@@ -6,7 +6,7 @@ from ...model.compare import Difference, compare
 from ...model.values import values_of
 from ...xml.tree import Element
 from .elements import name_of
-from .notes import ROBOT, home_of, is_setting, settings_of
+from .notes import ROBOT, frames_of_sites, home_of, is_setting, settings_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -50,7 +50,7 @@ def _sorted_notes(root: Element, notes: Sequence[Element]) -> dict[str, Element]
     """
     found: dict[str, Element] = {}
     blocks: dict[tuple[str, str, str], list[Element]] = {}
-    links = {name_of(each) for each in root.elements() if each.name == "link"}
+    frames = frames_of_sites(root, notes)
     for note in notes:
         values = values_of(note)
         home = home_of(note)
@@ -58,9 +58,9 @@ def _sorted_notes(root: Element, notes: Sequence[Element]) -> dict[str, Element]
             continue
         if note.name == "raw-block":
             for each in note.elements():
-                site = values_of(each).get("name", "")
-                if each.name == "site" and home[0] == "link" and site in links:
-                    block = blocks.setdefault((values["format"], "link", site), [])
+                frame = frames.get((home[1], name_of(each)))
+                if each.name == "site" and home[0] == "link" and frame is not None:
+                    block = blocks.setdefault((values["format"], "link", frame), [])
                     block += settings_of(each)
                 else:
                     blocks.setdefault((values["format"], *home), []).append(each)

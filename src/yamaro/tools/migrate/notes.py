@@ -19,7 +19,7 @@ from .parts import is_frame
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Iterable, Mapping, Sequence
 
     from .elements import ElementWriter
     from .formulas import Degrees
@@ -36,6 +36,24 @@ COMPUTED = {"rotor_inertia": ("armature",), "frequency": ("kp", "kd")}
 """Values of an actuator that follow from others."""
 MILLISECONDS = 0.1
 """Times below this many seconds are written in milliseconds."""
+
+
+def frames_of_sites(root: Element, notes: Iterable[Element]) -> dict[tuple[str, str], str]:
+    """Return the frame that each site is, by the link that it is on and its name in MJCF."""
+    names = {
+        values_of(note)["link"]: each.text().strip()
+        for note in notes
+        if note.name == "raw-block" and home_of(note)[0] == "link"
+        for each in note.elements()
+        if each.name == "name" and is_setting(each)
+    }
+    found = {}
+    for joint in root.elements():
+        parent = child_of_frame(joint) if joint.name == "joint" else None
+        frame = child_of(joint)
+        if parent is not None and frame is not None:
+            found[parent, names.get(frame, frame)] = frame
+    return found
 
 
 def home_of(note: Element) -> Home:
@@ -98,7 +116,7 @@ class Notes:
             else:
                 home = home_of(note) if note.name in ("actuator", "sensor") else ROBOT
                 self._notes.setdefault((note.name, home), []).append(note)
-        self._settle_frames()
+        self._settle_frames(frames_of_sites(root, notes))
         for name, link in self._links.items():
             self._settle_geoms(name, link)
             self._settle_shapes(name, link)
@@ -121,16 +139,15 @@ class Notes:
                         self._sections[id(section)] = name_of(child), index
                         index += 1
 
-    def _settle_frames(self) -> None:
+    def _settle_frames(self, frames: Mapping[tuple[str, str], str]) -> None:
         """Let a block of a link that is about a site be one of the frame that the site is."""
-        for home, blocks in list(self._blocks.items()):
+        for (kind, link), blocks in list(self._blocks.items()):
             for element in list(blocks.get(MJCF, ())):
-                frame = values_of(element).get("name", "")
-                joint = self._joints.get(frame)
-                if element.name == "site" and home[0] == "link" and joint is not None:
+                frame = frames.get((link, name_of(element)))
+                if element.name == "site" and kind == "link" and frame is not None:
                     own = self._blocks.setdefault(("link", frame), {}).setdefault(MJCF, [])
                     own += settings_of(element)
-                    blocks[MJCF].remove(element)
+                    blocks[MJCF] = [each for each in blocks[MJCF] if each is not element]
 
     def _settle_geoms(self, name: str, link: Element) -> None:
         """Move what the block of a link says of geoms to the sections of their names."""
