@@ -332,7 +332,10 @@ def test_notes_are_compared_by_what_they_are_about() -> None:
     assert told([drive], []) == ["actuator of joint 'j': is missing"]
     assert told([], [drive]) == ["actuator of joint 'j': should not be there"]
     other = note("actuator", joint="k", command="position")
-    assert told([drive, other], [other, drive]) == []
+    assert told([drive, other], [other, drive]) == ["actuators: are in another order"]
+    rows = [Element("position", SPAN, {"joint": name}) for name in "jk"]
+    said = note("raw-block", Element("actuator", SPAN, {}, [*rows]), format="mjcf")
+    assert told([drive, other], [other, drive, said]) == []
 
 
 def test_the_order_of_sensors_and_states_is_compared() -> None:

@@ -6,7 +6,7 @@ from ...model.compare import Difference, compare
 from ...model.values import values_of
 from ...xml.tree import Element
 from .elements import name_of
-from .notes import ROBOT, frames_of_sites, home_of, is_setting, settings_of
+from .notes import ROBOT, actuators_in_order, frames_of_sites, home_of, is_setting, settings_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -33,6 +33,9 @@ def compare_notes(
         ]
     differences += [Difference((key,), "should not be there") for key in second if key not in first]
     in_blocks = {f"sensor '{name_of(each)}'" for each in expected[1] if "of" in each.attributes}
+    orders = [actuators_in_order(notes) for _, notes in (expected, actual)]
+    if orders[0] != orders[1] and sorted(orders[0]) == sorted(orders[1]):
+        differences.append(Difference(("actuators",), "are in another order"))
     for kind in OWN_ORDER:
         rows = [
             [key for key, note in notes.items() if note.name == kind and key not in in_blocks]
@@ -58,6 +61,12 @@ def _sorted_notes(root: Element, notes: Sequence[Element]) -> dict[str, Element]
             continue
         if note.name == "raw-block":
             for each in note.elements():
+                if each.name == "actuator" and home == ROBOT:
+                    each = each.with_children(
+                        [own for own in each.elements() if [*own.attributes] != ["joint"]]
+                    )
+                    if not each.children and not each.attributes:
+                        continue  # it only says the order
                 frame = frames.get((home[1], name_of(each)))
                 if each.name == "site" and home[0] == "link" and frame is not None:
                     block = blocks.setdefault((values["format"], "link", frame), [])
@@ -69,8 +78,7 @@ def _sorted_notes(root: Element, notes: Sequence[Element]) -> dict[str, Element]
         if note.name in ("actuator", "surface"):
             key = f"{note.name} of {home[0]} '{home[1]}'"
             key += f", collision {values['index']}" if note.name == "surface" else ""
-        if note.name == "sensor":
-            note = _without(note, "of")  # whose blocks have it as well
+        note = _without(note, "of")  # the format whose blocks have it as well
         if note.name == "state":
             note = note.with_children([_without(each, "written") for each in note.elements()])
         if note.name == "base" or key not in found:

@@ -21,6 +21,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
 
+    from ...xml.tree import Node
     from .elements import ElementWriter
     from .formulas import Degrees
     from .parts import ShortNames
@@ -54,6 +55,22 @@ def frames_of_sites(root: Element, notes: Iterable[Element]) -> dict[tuple[str, 
         if parent is not None and frame is not None:
             found[parent, names.get(frame, frame)] = frame
     return found
+
+
+def actuators_in_order(notes: Iterable[Element]) -> list[str]:
+    """Return the joints with actuators, in the order of a block that says it, or of the notes."""
+    notes = list(notes)
+    joints = [values_of(each)["joint"] for each in notes if each.name == "actuator"]
+    said = [
+        values_of(each).get("joint", "")
+        for note in notes
+        if note.name == "raw-block" and home_of(note) == ROBOT
+        for section in note.elements()
+        if section.name == "actuator"
+        for each in section.elements()
+    ]
+    first = [joint for joint in dict.fromkeys(said) if joint in joints]
+    return [*first, *(joint for joint in joints if joint not in first)]
 
 
 def home_of(note: Element) -> Home:
@@ -120,11 +137,30 @@ class Notes:
         for name, link in self._links.items():
             self._settle_geoms(name, link)
             self._settle_shapes(name, link)
+        self._keep_order(list(notes))
         self._sensors = [name_of(note) for note in notes if note.name == "sensor"]
         self._order = {name: index for index, name in enumerate(self._links)}
         for note in notes:
             if note.name == "sensor" and absorbs:
                 self._absorb(note)
+
+    def _keep_order(self, notes: list[Element]) -> None:
+        """Have the block of the robot say the order of actuators, if it is not that of joints."""
+        wanted = actuators_in_order(notes)
+        own = [name for name in self._types if ("actuator", ("joint", name)) in self._notes]
+        blocks = self._blocks.get(ROBOT, {})
+        if wanted == own or any(each.name == "actuator" for each in blocks.get(MJCF, ())):
+            return
+        words = {"position": "position", "velocity": "velocity", "effort": "motor"}
+        span = notes[0].span
+        rows: list[Node] = []
+        for name in wanted:
+            (note,) = self._notes["actuator", ("joint", name)][:1]
+            word = words[values_of(note).get("command", "position")]
+            rows.append(Element(word, span, {"joint": name}))
+        self._blocks.setdefault(ROBOT, {}).setdefault(MJCF, []).append(
+            Element("actuator", span, {}, rows)
+        )
 
     def _read(self, root: Element) -> None:
         for child in root.elements():
