@@ -297,7 +297,7 @@ def test_all_words_come_out_as_words(tmp_path: Path) -> None:
         "sensor/name=inner: {type: imu, frame: tip, noise: 0.1}",
         "actuator: {kp: 50, kd: 2, rotor_inertia: 3e-6, gear: 100, delay: 5 ms}",
         "limit: {lower: -90deg, upper: 90deg, effort: 10, velocity: 180deg/s}",
-        "- loop: {name: bar, type: revolute, between: 'end, pin', axis: 0 1 0}",
+        "- loop: {name: bar, type: revolute, between: [end, pin], axis: 0 1 0}",
         "home: {arm: 45deg}",
         "frame/name=tip: {xyz: 0 0 0.2, rpy: 0 90deg 0}",
     ):

@@ -102,6 +102,12 @@ class Quoted(str):
     __slots__ = ()
 
 
+class Flow(str):
+    """A list in brackets, which is written as it is."""
+
+    __slots__ = ()
+
+
 class Row(str):
     """A text of several pieces with commas between them, which may go on several lines."""
 

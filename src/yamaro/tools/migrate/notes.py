@@ -12,10 +12,11 @@ from ...model.schema import ACTUATOR, OF_MOTOR, SENSOR, SENSORS, SURFACE
 from ...model.values import values_of
 from ...robot.extras import OPTICAL
 from ...xml.tree import Element
-from .document import RECORD_WIDTH, Body, Entry
+from .document import RECORD_WIDTH, Body, Entry, Flow
 from .elements import child_of, has_text, is_short, name_of
 from .formulas import TURNING
 from .parts import is_frame
+from .writing import scalar_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -437,7 +438,7 @@ class Notes:
         found = []
         for note in self._notes.get(("robot-loop", ROBOT), ()):
             values = values_of(note)
-            between = f"{values['frame_1']}, {values['frame_2']}"
+            between = _listed([values["frame_1"], values["frame_2"]])
             body = _braced([Entry("name", values["name"]), Entry("type", values["type"])])
             body.add("between", between)
             if "axis" in values:
@@ -455,6 +456,10 @@ class Notes:
         return found
 
 
+def _listed(names: Sequence[str]) -> Flow:
+    return Flow(f"[{', '.join([scalar_of(name, in_flow=True) for name in names])}]")
+
+
 def _group(note: Element) -> Entry:
     values = values_of(note)
     body = _braced()
@@ -462,12 +467,12 @@ def _group(note: Element) -> Entry:
     for each in note.elements():
         own = values_of(each)
         if each.name == "chain":
-            body.add("chain", f"{own['base_link']}, {own['tip_link']}")
+            body.add("chain", _listed([own["base_link"], own["tip_link"]]))
         else:
             word = {"link": "links", "joint": "joints", "robot-group": "groups"}[each.name]
             rows.setdefault(word, []).append(own.get(each.name, own.get("name", "")))
     for word, members in rows.items():
-        body.add(word, ", ".join(members))
+        body.add(word, _listed(members))
     if "parent_link" in values:
         body.add("parent", values["parent_link"])
     if "end_effector" in values:

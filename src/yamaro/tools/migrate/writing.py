@@ -7,7 +7,7 @@ from collections import Counter
 from ...syntax.names import STATEMENTS, is_identifier
 from ...yaml.brackets import find_close
 from ...yaml.nodes import type_plain
-from .document import RECORD_WIDTH, WIDTH, Body, Entry, Quoted, Row, joined, spaced, words_of
+from .document import RECORD_WIDTH, WIDTH, Body, Entry, Flow, Quoted, Row, joined, spaced, words_of
 
 MOST_IN_BRACES = 6
 LONGEST_KEY = 1000
@@ -249,6 +249,8 @@ _FLOW = frozenset(",[]{}")
 
 def scalar_of(text: str, *, in_flow: bool) -> str:
     """Return a text as a YAML scalar that is read as this text and none other."""
+    if isinstance(text, Flow):
+        return str(text)
     if is_plain(text, in_flow=in_flow) and not (
         isinstance(text, Quoted) and not isinstance(type_plain(text), str)
     ):
