@@ -131,8 +131,24 @@ def _joint(joint: etree._Element, name: str, own: Mapping[str, str]) -> Iterator
         value = axis.findtext(f"dynamics/{each}")
         if value is not None and float(value):
             yield (each, name, float(value))
+    if kind != "fixed":
+        yield from _drive(joint, name, axis.findtext("limit/effort"))
     mimic = axis.find("mimic")
     if mimic is not None:
         leader = mimic.get("joint", "")
         factor, offset = mimic.findtext("multiplier"), mimic.findtext("offset")
         yield ("mimic", name, own.get(leader, leader), float(factor or 1), float(offset or 0))
+
+
+def _drive(joint: etree._Element, name: str, effort: str | None) -> Iterator[Key]:
+    """Yield what Drake commands of a joint: a servo with gains, else an effort if it is not 0.
+
+    Source: https://drake.mit.edu/doxygen_cxx/group__multibody__parsing.html.
+    """
+    gains = joint.find("{*}controller_gains")
+    if gains is not None:
+        yield ("actuated", name)
+        yield ("command", name, "position" if float(gains.get("p", "0")) else "velocity")
+    elif effort is None or float(effort):
+        yield ("actuated", name)
+        yield ("command", name, "effort")

@@ -541,9 +541,9 @@ def test_a_jpeg_is_opaque(tmp_path: Path) -> None:
 
 def test_other_documents_are_not_drawn(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     source = tmp_path / "world.xml"
-    source.write_text("<sdf/>")
+    source.write_text("<world/>")
     assert main(["picture", str(source), "-o", str(tmp_path / "out.png")]) == 2
-    assert "needs a robot, but the root element is <sdf>" in capsys.readouterr().err
+    assert "needs a robot, but the root element is <world>" in capsys.readouterr().err
 
 
 def test_without_opengl_it_is_said_what_to_install(

@@ -538,7 +538,7 @@ def test_an_address_in_a_format_that_is_not_written_is_wrong_usage(
     Path("robot.yaml").write_text(text, encoding="utf-8")
     status, _, err = outcome(capsys, "why", "--to", "mjcf", "robot.yaml", "body:tip_link")
     assert status == 2
-    assert "there is no mjcf of this robot: the link 'arm_link'" in err
+    assert "there is no mjcf of this robot: the link 'tip_link'" in err
     assert outcome(capsys, "why", "--to", "sdf,mjcf", "robot.yaml", "x")[0] == 2
 
 

@@ -124,6 +124,7 @@ class Reading:
                     "bad-sdf",
                     f"'{word}' in <{element.name}> is not a number",
                     _word_span(element, index),
+                    hint="write a number such as 0.5 or 1e-3: SDF has no expressions and no units",
                 )
                 return None
             found.append(number)
