@@ -18,8 +18,14 @@ if TYPE_CHECKING:
     from .lowering import Lowering
 
 KEYS = ("path", "body", "to", "at", *POSE_ROWS, "prefix", "joint", "arguments")
-OF_STAND = {"sdf": frozenset(("pose", "static"))}
-"""What blocks say, by their formats, of where a robot stands, which an attached one does not."""
+OF_STAND = {
+    "sdf": frozenset(("pose", "static")),
+    "mjcf": frozenset(("pos", "quat", "freejoint", "contact")),
+}
+"""What blocks say, by their formats, of where a robot stands, which an attached one does not.
+
+An empty `contact` says that a file of MJCF says which pairs touch, but not those with other files.
+"""
 _OWN_JOINT_KEYS = POSE_KEYS | {"parent", "child", "name"}
 
 
@@ -108,6 +114,9 @@ def _with_prefix(lowering: Lowering, robot: Element, prefix: str) -> list[Node]:
         if standing is None:
             continue
         copy = copy_of(lowering.outermost(standing))
+        if copy.name == "link" and any(isinstance(each, RawBlock) for each in copy.children):
+            kept = (_without_stand(e) if isinstance(e, RawBlock) else e for e in copy.children)
+            copy.children = [each for each in kept if each is not None]
         has_own = isinstance(copy.body, IncludedRobot) and copy.body.prefix
         copy.body = copy.body.within(prefix) if has_own else own  # type: ignore[attr-defined]
         nodes.append(copy)
@@ -123,7 +132,13 @@ def _with_prefix(lowering: Lowering, robot: Element, prefix: str) -> list[Node]:
 def _without_stand(block: RawBlock) -> RawBlock | None:
     """Return a block without what it says of where the robot stands; None if nothing is left."""
     names = OF_STAND.get(block.name, ())
-    rest = [node for node in block.children if getattr(node, "name", "") not in names]
+    rest = [
+        node
+        for node in block.children
+        if not isinstance(node, Element)
+        or node.name not in names
+        or (node.name == "contact" and node.children)
+    ]
     return block.with_children(rest) if rest else None  # type: ignore[return-value]
 
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import re
 
-from .tree import Element, Text
+from .tree import Element, RawBlock, Text
 from .values import format_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Iterator, Sequence
 
 _BODIES = ("link", "joint")
 _REFERS = re.compile(
@@ -23,6 +23,14 @@ _DEVICES = (
 )
 """What else is named once in a robot, whatever it is in."""
 _REFERS_TO_DEVICE = re.compile("transmission|actuator|sensor|gpio", re.IGNORECASE)
+_BLOCK = "mjcf"
+"""The blocks in which all names belong to one robot, except for those of materials and meshes."""
+_SHARED = frozenset(("material", "texture", "mesh", "hfield", "key"))
+"""What several robots share in such a block, or what is found by its name, as a state is."""
+_SHAPES = ("visual", "collision")
+_REFERS_IN_BLOCK = re.compile(
+    "tendon|actuator|camera|geom|site|target|objname|refname|sensor|flex|instance|subtree"
+)
 
 
 def rename(root: Element, prefix: str) -> None:
@@ -36,13 +44,16 @@ def rename(root: Element, prefix: str) -> None:
 class RobotNames:
     """The names that some elements of a robot give, and where they are referred to."""
 
-    __slots__ = ("_bodies", "_devices")
+    __slots__ = ("_bodies", "_devices", "_in_blocks", "_shapes")
 
     def __init__(self, elements: Sequence[Element]) -> None:
         """Gather the names of links and joints, and of what devices these elements hold."""
         self._bodies = {_name(element) for element in elements if element.name in _BODIES}
         below = [inner for element in elements for inner in element.iter()]
         self._devices = {_name(each) for each in below if each.name in _DEVICES}
+        self._shapes = {_name(each) for each in below if each.name in _SHAPES}
+        within = filter(self._is_own, _within_blocks(elements))
+        self._in_blocks = set(map(_own_name, within)) - {""}
 
     def rename(self, elements: Sequence[Element], change: Callable[[str], str]) -> None:
         """Change the names in some elements and in what is below them, wherever they stand.
@@ -51,8 +62,12 @@ class RobotNames:
             elements: what is changed.
             change: gives the new name for one of the names that were gathered.
         """
+        blocks = {id(each) for each in _within_blocks(elements)} if self._in_blocks else ()
         for element in elements:
             for inner in element.iter():
+                if id(inner) in blocks:
+                    self._rename_in_block(inner, change)
+                    continue
                 for name, value in inner.attributes.items():
                     known = self._named_by(inner) if name == "name" else self._referred_to_by(name)
                     if known:
@@ -65,6 +80,25 @@ class RobotNames:
                         if isinstance(child, Text):
                             child.value = _renamed(format_value(child.value), known, change)
 
+    def _rename_in_block(self, element: Element, change: Callable[[str], str]) -> None:
+        for name, value in element.attributes.items():
+            known = self._referred_to_by(name)
+            if name == "name":
+                known = self._in_blocks | self._bodies if self._is_own(element) else set()
+            elif _REFERS_IN_BLOCK.search(name):
+                known = known | self._in_blocks | self._bodies
+            if known:
+                element.attributes[name] = _renamed(format_value(value), known, change)
+        if element.name == "name":
+            for child in element.children:
+                if isinstance(child, Text):
+                    child.value = _renamed(format_value(child.value), self._in_blocks, change)
+
+    def _is_own(self, element: Element) -> bool:
+        """Return whether the name of an element in a block is changed: not that of our shapes."""
+        is_shape = element.name == "geom" and _name(element) in self._shapes
+        return element.name not in _SHARED and not is_shape
+
     def _named_by(self, element: Element) -> set[str]:
         if element.name in _BODIES:
             return self._bodies
@@ -75,6 +109,20 @@ class RobotNames:
         if _REFERS.search(word):
             return self._bodies
         return self._devices if _REFERS_TO_DEVICE.search(word) else set()
+
+
+def _within_blocks(elements: Sequence[Element]) -> Iterator[Element]:
+    """Yield the elements in blocks for MJCF, which are in links and joints or beside these."""
+    for element in elements:
+        for each in (element, *element.elements()):
+            if type(each) is RawBlock and each.name == _BLOCK:
+                for inner in each.elements():
+                    yield from inner.iter()
+
+
+def _own_name(element: Element) -> str:
+    """Return the name of an element in a block, which a `<name>` gives to what the block is in."""
+    return element.text().strip() if element.name == "name" else _name(element)
 
 
 def _renamed(text: str, known: set[str], change: Callable[[str], str]) -> str:

@@ -258,12 +258,14 @@ class Writing:
         measured: the sensor of the robot that each one in MJCF is of, by its name.
         collisions: what collides: the link, the collision, and of a mesh the outer corners.
         solids: the same at home, once it is worked out.
+        renamed_geoms: the names of geoms by their links and the names in the robot, if these were
+            not free.
     """
 
     __slots__ = (
         "_body_names", "blocks", "bodies", "classes", "collisions", "controls", "errors", "files",
-        "inertias", "joints", "losses", "measured", "model", "motions", "names", "plan", "robot",
-        "sections", "solids", "wanted",
+        "inertias", "joints", "losses", "measured", "model", "motions", "names", "plan",
+        "renamed_geoms", "robot", "sections", "solids", "wanted",
     )  # fmt: skip
 
     def __init__(self, robot: Robot, wanted: Wanted) -> None:
@@ -277,6 +279,7 @@ class Writing:
         self.solids: list[Solid] | None = None
         self.motions: dict[str, tuple[str, str]] = {}
         self.measured: dict[str, str] = {}
+        self.renamed_geoms: dict[tuple[str, str], str] = {}
         self.blocks = Blocks(robot)
         self.plan = Plan(robot, self.blocks, is_fixed=wanted.is_fixed)
         self.sections = {name: element(name, owner=robot.element) for name in SECTIONS}

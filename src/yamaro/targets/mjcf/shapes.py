@@ -120,6 +120,7 @@ def _geom(
         kind = "visuals" if default == writing.classes.visual else "collisions"
         label = f"'{owner.name}' of link '{link.name}'"
         writing.losses.rename(kind, link, part=owner, label=label, new=found)
+        writing.renamed_geoms.setdefault((link.name, owner.name), found)
     pose = owner.pose
     places: dict[str, Span] = {}
     if pose.span is not None:

@@ -198,9 +198,12 @@ def _merge_link(writing: Writing, link: Link) -> None:
             attributes = pose_attributes(plan.poses[link.name])
             body.children.append(element("frame", attributes, children=new, owner=link))
             elements = [each for each in elements if not known.isdisjoint(names(each))]
-    for given in elements:
+    for index, given in enumerate(elements):
         if _is_free(given):
             _rename_free(writing, body, given)
+        free_name = writing.renamed_geoms.get((link.name, attribute_text(given, "name") or ""))
+        if free_name is not None and given.name == "geom":
+            elements[index] = changed(given, {**given.attributes, "name": free_name})
     body.children = merged(body.children, elements, _in_body)
 
 
