@@ -270,8 +270,13 @@ class _Reader:
         """Return the element of a parameter; see `model/controllers.py`."""
         texts = [child for child in key.children if isinstance(child, Text)]
         items = [child for child in key.elements() if child.name == LIST_ITEM]
+        in_items = [child for item in items for child in item.elements()]
+        if len(in_items) == len(items) and all(child.name != LIST_ITEM for child in in_items):
+            items = []  # a mapping, of which each entry is an item
         if items:
             return self._list(key, [self.read(item) for item in items])
+        if in_items:
+            return self._map(key, [self.read(child) for child in in_items])
         if key.elements():
             return self._map(key, [self.read(child) for child in key.elements()])
         value: object = texts[0].value if texts else ""

@@ -280,18 +280,23 @@ def _name_of(material: Element) -> str:
 
 
 def _look(element: Element) -> Look:
-    """Return what is equal for materials of the same content: numbers by value, files by path."""
+    """Return what is equal for materials of the same content: numbers by value, files by path.
+
+    Elements of different names may be in any order; of those of one name parsers read the first.
+    """
     attributes = {
         name: _value(element, name, format_value(value))
         for name, value in element.attributes.items()
         if value is not None and not (element.name == "material" and name == "name")
     }
     inner = [
-        format_value(child.value).strip() if isinstance(child, Text) else _look(child)
+        ("", format_value(child.value).strip())
+        if isinstance(child, Text)
+        else (child.name, repr(_look(child)))
         for child in element.children
         if isinstance(child, (Text, Element))
     ]
-    return (element.name, sorted(attributes.items()), sorted(map(repr, inner)))
+    return (element.name, sorted(attributes.items()), sorted(inner, key=lambda each: each[0]))
 
 
 def _value(element: Element, attribute: str, text: str) -> object:
