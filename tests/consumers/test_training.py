@@ -218,13 +218,7 @@ def test_mjlab_gets_of_an_example_what_mujoco_finds_in_its_mjcf(
     training_stubs.have_mjlab(monkeypatch)
     expected, driven, base = in_mujoco(path)
     build = yamaro.build(path, target="mjlab", on_message=lambda line: None, meshes="none")
-    (tmp_path / "assets").mkdir()
-    for name, data in build.assets.items():
-        (tmp_path / name).write_bytes(data)
-    text = build.xml()
-    assert max(map(len, text.splitlines())) <= LINE
-    (tmp_path / "robot.py").write_text(text, encoding="utf-8")
-    config = training_stubs.run(tmp_path / "robot.py")
+    config = configured(build, tmp_path)
     assert config["robot_cfg"]().sort_actuators
     groups = by_joint(config, list(expected))
     assert sorted(groups) == sorted(driven)
@@ -259,13 +253,7 @@ def test_isaac_lab_gets_of_an_example_what_mujoco_finds_in_its_mjcf(
     listing = json.loads(interface.xml())["consumers"]["isaac"]
     names = {each["name"]: each["yamaro"] for each in listing["joints"]}
     build = yamaro.build(path, target="isaaclab", on_message=lambda line: None, meshes="none")
-    (tmp_path / "assets").mkdir()
-    for name, data in build.assets.items():
-        (tmp_path / name).write_bytes(data)
-    text = build.xml()
-    assert max(map(len, text.splitlines())) <= LINE
-    (tmp_path / "robot.py").write_text(text, encoding="utf-8")
-    config = training_stubs.run(tmp_path / "robot.py")
+    config = configured(build, tmp_path)
     groups = by_joint(config, list(names))
     assert sorted(names[each] for each in groups) == sorted(driven)
     for name, group in groups.items():
@@ -296,6 +284,18 @@ def test_isaac_lab_gets_of_an_example_what_mujoco_finds_in_its_mjcf(
 
 
 # --- kinds of actuators --------------------------------------------------------------------------
+
+
+def configured(build, folder: Path):
+    """Return what the file of a configuration defines, saved with its assets and run."""
+    (folder / "assets").mkdir()
+    for name, data in build.assets.items():
+        (folder / name).write_bytes(data)
+    text = build.xml()
+    assert max(map(len, text.splitlines())) <= LINE
+    (folder / "robot.py").write_text(text, encoding="utf-8")
+    return training_stubs.run(folder / "robot.py")
+
 
 ACTUATORS = """
 robot: kinds
