@@ -1,12 +1,12 @@
 """Tells whether two documents are the same robot, with lxml and nothing of Yamaro.
 
 Aside from what means nothing: the order of attributes, white space, the spelling of numbers,
-comments, and in what order a robot, link, joint, visual, collision or inertial holds children of
-different names, which URDF leaves open (the schema of urdfdom says `all`). Unless the comparison is
-exact, so does a pose that is left out: to every reader of URDF, a joint, visual, collision or
-inertial without `<origin>` is at zeros, and so is an origin without `xyz` or `rpy`. So does a
-material under the robot that says just what an earlier one does: parsers take the first, or refuse
-both.
+comments, and in what order a robot, link, joint, visual, collision, inertial or material holds
+children of different names, which URDF leaves open (the schema of urdfdom says `all`). Unless the
+comparison is exact, so does a pose that is left out: to every reader of URDF, a joint, visual,
+collision or inertial without `<origin>` is at zeros, and so is an origin without `xyz` or `rpy`. So
+does a material under the robot that says just what an earlier one does: parsers take the first, or
+refuse both.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from typing import Any
 
 from lxml import etree
 
-LOOSE = ("robot", "link", "joint", "visual", "collision", "inertial")
+LOOSE = ("robot", "link", "joint", "visual", "collision", "inertial", "material")
 Shape = tuple[str, dict[str, tuple[object, ...]], tuple[object, ...], list[Any]]
 
 

@@ -7,7 +7,7 @@ from ..xml.tree import Element, Text
 from ..xml.values import format_value
 from .values import values_of
 
-UNORDERED = frozenset(("robot", "link", "joint", "visual", "collision", "inertial"))
+UNORDERED = frozenset(("robot", "link", "joint", "visual", "collision", "inertial", "material"))
 """Elements in which URDF reads each name for itself: only what has one name keeps its order."""
 TOLERANCE = 1e-9
 """How far numbers may differ, as a part of them."""

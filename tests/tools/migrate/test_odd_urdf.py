@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from xml.sax.saxutils import escape, quoteattr
 
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from tests.effort import examples
@@ -127,7 +127,14 @@ def tree_of(text: str) -> Element:
     return root
 
 
+SAME_LOOK = (
+    '<robot name="arm"><material name="red"><color/><texture filename="a"/></material>'
+    '<material name="red"><texture filename="a"/><color/></material></robot>'
+)
+
+
 @settings(max_examples=examples(300))
+@example(SAME_LOOK)
 @given(robots)
 def test_a_robot_comes_back_as_it_was(urdf: str) -> None:
     migration = migrate_urdf(read_xml(Source(urdf, name="robot.urdf")), tree_of)
