@@ -8,7 +8,8 @@ compared by name: bodies, frames, joints, their limits and damping, poses at the
 random states poses, mass matrix and inverse dynamics; shapes of bodies. Then each value of the file
 is looked for in the text. A model is `equal` without a difference; `told` if it differs and
 something was reported; `silent` if it differs and nothing was; `fails` if nothing was written or
-Drake refuses it. What Drake does not read is compared as text only. With `--urdf`, what is written
+Drake refuses it; `refused by both` if Drake refuses the file itself too. What Drake does not read
+is compared as text only. With `--urdf`, what is written
 as URDF is read by pinocchio, and poses and mass matrix are compared with Drake's; with `--migrate`,
 the model goes through `yamaro migrate` and a build of the YAML.
 """
@@ -50,7 +51,7 @@ def models(folders: list[Path]) -> Iterator[Path]:
             if (
                 path.suffix in (".sdf", ".world")
                 and path.name[0] != "."
-                and b"<sdf" in path.read_bytes()
+                and re.search(b"<(sdf|gazebo) +version", path.read_bytes())
             ):
                 yield path
 
@@ -75,6 +76,10 @@ def judged(
         text = build.xml()
     except yamaro.YamaroError as error:
         first = next(each for each in error.diagnostics if each.severity == "error")
+        try:
+            Loaded(path, None, [path.parent, path.parent.parent], has_shapes=False)
+        except RefusedError as refused:
+            return "refused by both", f"{first.code}; Drake: {refused}", reported
         return "fails", f"{first.code}: {first.message[:90]}", reported
     except Exception:
         return "fails", "TRACEBACK " + traceback.format_exc().splitlines()[-1][:120], reported

@@ -206,7 +206,7 @@ class Robot(Written):
             FileNotFoundError: the file does not exist; other OSErrors if it cannot be read.
             YamaroError: it has errors, or is not SDF.
         """
-        return _built(path, "sdf", model)
+        return _built(path, "model", model)
 
     @property
     def findings(self) -> tuple[Diagnostic, ...]:
@@ -520,8 +520,14 @@ def _first_of_each_name(things: Sequence[Named]) -> dict[str, Named]:
     return found
 
 
-def _built(path: str | os.PathLike[str], root: str, model: str | None) -> Robot:
-    """Return the robot of a file in another format than URDF, read as a build reads it."""
+def _built(path: str | os.PathLike[str], head: str, model: str | None) -> Robot:
+    """Return the robot of a file in another format than URDF, read as a build reads it.
+
+    Args:
+        path: the file.
+        head: the element that is a robot in that format.
+        model: the name of the model that is wanted.
+    """
     import os
     from importlib import import_module  # a build is made above the model
 
@@ -534,9 +540,9 @@ def _built(path: str | os.PathLike[str], root: str, model: str | None) -> Robot:
         os.fspath(path), model=model, allow=allow, on_message=lambda line: None
     )
     robot: Robot = build.robot
-    if robot.span.written() != root:
+    if robot.span.written() != head:
         name = os.fspath(path)
-        known = {"mujoco": "MJCF", "sdf": "SDF"}[root]
+        known, root = {"mujoco": ("MJCF", "mujoco"), "model": ("SDF", "sdf")}[head]
         raise failure_of_all(
             "not-urdf",
             f"this is not {known}: its root is not '{root}'",

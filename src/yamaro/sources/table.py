@@ -42,6 +42,14 @@ SOURCES = {
     )
 }
 """The formats by the name of the outermost element."""
+SOURCES["gazebo"] = SOURCES["sdf"]  # up to SDFormat 1.2; in URDF it has no version
+
+
+def source_of(root: Element) -> SourceFormat | None:
+    """Return the format of a document besides URDF and xacro, None if it has none of them."""
+    if root.name == "gazebo" and "version" not in root.attributes:
+        return None
+    return SOURCES.get(root.name)
 
 
 def read_source(root: Element, host: Host) -> Element | None:
@@ -52,7 +60,7 @@ def read_source(root: Element, host: Host) -> Element | None:
     Raises:
         YamaroError: the document has errors.
     """
-    source = SOURCES.get(root.name)
+    source = source_of(root)
     if source is None:
         return None
     from importlib import import_module

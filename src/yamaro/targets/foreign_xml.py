@@ -231,7 +231,10 @@ def lost_blocks(robot: Robot, format: str) -> Losses:
         title = TARGETS[raw.format].title if raw.format in TARGETS else raw.format
         home = f"link '{raw.link}'" if raw.link is not None else f"joint '{raw.joint}'"
         label = home if raw.link is not None or raw.joint is not None else "the robot"
+        is_typed = raw.joint is not None and any(each.name == "type" for each in raw.elements)
         for each in raw.elements:
+            if is_typed and each.name in _OF_TYPES:
+                continue
             inner = each.elements() if each.name in _SECTIONS else [each]
             for element in inner or ([each] if each.attributes else []):
                 if element.body == SAID or _says_nothing(element, each.name):
@@ -250,6 +253,11 @@ _SECTIONS = frozenset(
     deformable""".split()
 )
 """The elements of MJCF that only hold others."""
+_OF_TYPES = frozenset(
+    """pose axis axis2 thread_pitch screw_thread_pitch gearbox_ratio
+    gearbox_reference_body""".split()
+)
+"""What a joint of SDF has because of a type that URDF has not."""
 _STRUCTURE = frozenset(("ref",))
 """What the poses of joints say as well."""
 
@@ -268,6 +276,8 @@ def _says_nothing(element: Element, section: str) -> bool:
 def _what(robot: Robot, raw: RawXml, element: Element, title: str) -> str:
     """Return what an element of a block is called in losses, in the plural."""
     if element.text().strip() and not element.elements() and not element.attributes:
+        if element.name == "type" and raw.joint is not None:  # a joint that is fixed in the model
+            return f"{title}'s {element.text().strip()} joints"
         return f"{title}'s values of '{element.name}'"
     name = attribute_text(element, "name")
     known: set[str] = set()

@@ -147,6 +147,9 @@ def _without_sensors(path: Path, folders: list[Path]) -> Path:
     Drake finds included files, and no folders of models; the files are copied likewise.
     """
     root = etree.parse(str(path), etree.XMLParser(recover=True)).getroot()
+    if root.tag == "gazebo":  # 1.2, to which 1_2.convert of libsdformat changes nothing else
+        root.tag = "sdf"
+        root.set("version", "1.3")
     for each in [*root.iter("sensor", "plugin", "physics", "scene", "gui", "light")]:
         each.getparent().remove(each)
     for uri in root.iterfind(".//include/uri"):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import pi
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 
@@ -159,6 +160,18 @@ def test_axes_of_version_1_4_are_in_the_frame_of_the_model(tmp_path: Path) -> No
     old, new = (robot_of(tmp_path, model, version=version) for version in ("1.4", "1.5"))
     assert old.joints["j"].axis == pytest.approx((0, -1, 0), abs=1e-12)
     assert new.joints["j"].axis == (1, 0, 0)
+
+
+def test_the_one_noise_of_an_imu_before_1_6_is_that_of_each_axis(tmp_path: Path) -> None:
+    """As 1_5.convert of libsdformat says: of `rate` for the rates, of `accel` for the others."""
+    noise = "<rate><stddev>0.02</stddev></rate><accel><stddev>0.5</stddev></accel>"
+    model = f"""<link name="a"><sensor name="i" type="imu"><imu><noise><type>gaussian</type>
+        {noise}</noise></imu></sensor></link>"""
+    build = built(tmp_path, model, version="1.5", target="sdf")
+    root = ElementTree.fromstring(build.xml())
+    for name, deviation in (("angular_velocity", "0.02"), ("linear_acceleration", "0.5")):
+        found = root.findall(f".//imu/{name}/*/noise[@type='gaussian']/stddev")
+        assert [each.text for each in found] == [deviation] * 3
 
 
 def test_a_mimic_with_a_reference_is_one_offset(tmp_path: Path) -> None:

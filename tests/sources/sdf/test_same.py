@@ -147,6 +147,18 @@ def test_models_are_included_and_merged_with_names_and_poses_of_their_own(tmp_pa
     assert Same(flat, written).run() == []
 
 
+@pytest.mark.parametrize("version", ["1.2", "1.3", "1.4"])
+def test_axes_of_old_versions_are_in_the_frame_of_the_model(version: str, tmp_path: Path) -> None:
+    source, written = tmp_path / "robot.sdf", tmp_path / "again.sdf"
+    root = "gazebo" if version == "1.2" else "sdf"
+    place = "<pose>0.1 0.2 0.3 0.3 0.2 0.1</pose>"
+    model = BASE + ARM + joint("j", "revolute", "arm", place, axis="1 2 3")
+    source.write_text(f'<{root} version="{version}"><model name="r">{model}</model></{root}>')
+    written.write_text(yamaro.build(source, target="sdf").xml())
+    assert Same(source, written).run() == []
+    assert yamaro.Robot.from_sdf(source).name == "r"
+
+
 def test_a_model_of_a_world_is_chosen_by_its_name(tmp_path: Path) -> None:
     source, written = tmp_path / "world.sdf", tmp_path / "again.sdf"
     source.write_text(

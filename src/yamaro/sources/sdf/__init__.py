@@ -1,4 +1,4 @@
-"""SDFormat 1.4 to 1.12: models of Gazebo and Drake, read into the model.
+"""SDFormat 1.2 to 1.12: models of Gazebo and Drake, read into the model.
 
 Links keep their frames: where a joint turns about an axis that does not pass through the frame of
 its child, a link without mass stands at the joint. Nested and included models become part of the

@@ -10,13 +10,13 @@ from ...xml.reader import read_xml
 from ...xml.tree import Element
 from .scopes import FRAME, JOINT, LINK, WORLD, Anchor, Scope
 from .values import text_span
+from .versions import VERSIONS, convert
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ...source import Source, Span
     from .values import Reading
 
-VERSIONS = tuple(f"1.{minor}" for minor in range(4, 13))
 DEEPEST = 60
 """Models in one another."""
 MODEL_FILES = (".sdf", ".world", ".xml", ".urdf")
@@ -105,6 +105,7 @@ class Document:
         version = (attribute_text(root, "version") or "").strip()
         self._reading.versions[id(root.span.source)] = version
         if version in VERSIONS:
+            convert(root, version)
             return
         if not version:
             self._reading.warn(
@@ -118,8 +119,7 @@ class Document:
             "sdf-version",
             f"version '{version}' of SDFormat is not one that can be read",
             root.value_span("version"),
-            hint=f"the versions are {VERSIONS[0]} to {VERSIONS[-1]}; `gz sdf -p` writes an older "
-            "file in a newer one",
+            hint=f"the versions are {VERSIONS[0]} to {VERSIONS[-1]}",
         )
         self._reading.settle()
 
@@ -216,7 +216,7 @@ class Document:
             return None
         reading.enter(source, include)
         root = read_xml(source, reading.host.limits).root
-        if root.name != "sdf":
+        if root.name not in ("sdf", "gazebo"):
             of_urdf = root.name == "robot"
             reading.fail(
                 "sdf-include",

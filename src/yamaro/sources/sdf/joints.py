@@ -10,14 +10,15 @@ from __future__ import annotations
 from math import inf, isfinite, sqrt
 
 from ...model import making
-from ...model.joint import CONTINUOUS, FIXED, FLOATING, PRISMATIC, REVOLUTE
+from ...model.joint import CONTINUOUS, FIXED, PRISMATIC, REVOLUTE
 from ...model.pose import IDENTITY, Pose, Vector, rotate, transposed
 from ...model.values import attribute_text, child_named, content, inside
 from ...xml.tree import Element, RobotNote
 from ...xml.values import Numbers, format_value
-from .kept import check_words, clean, kept_of, leaf
+from .kept import check_words, clean, kept_of, leaf, pose_element
 from .shapes import origin
 from .values import UNLIMITED, text_span
+from .versions import IN_MODEL_FRAME
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -37,7 +38,7 @@ TYPES = {
     "fixed": FIXED,
 }
 OTHER_TYPES = frozenset(("ball", "universal", "screw", "gearbox", "revolute2"))
-"""Joints that only SDF has: floating in the model, as sdformat_urdf of ROS has them."""
+"""Joints that only SDF has: fixed in the model, and kept for SDF."""
 NEGLIGIBLE = 1e-12
 """How far, in metres, an axis may pass beside a frame and count as passing through it."""
 
@@ -93,7 +94,7 @@ class JointReader:
         written = (attribute_text(element, "type") or "").strip()
         drake = attribute_text(element, "drake:type")
         if written in OTHER_TYPES:
-            return FLOATING
+            return FIXED
         if written not in TYPES:
             from ...diagnostics import did_you_mean
 
@@ -143,7 +144,7 @@ class JointReader:
             if named:
                 frame = self._frames.find(named, joint.scope, written.value_span("expressed_in"))
         if frame is None and axis is not None:
-            is_old = reading.versions.get(id(joint.element.span.source)) == "1.4"
+            is_old = reading.versions.get(id(joint.element.span.source)) in IN_MODEL_FRAME
             if reading.truth(axis, "use_parent_model_frame", default=is_old):
                 frame = joint.scope.anchor
         if frame is None or frame is joint:
@@ -175,7 +176,7 @@ class JointReader:
         has_sensor = child_named(joint.element, "sensor") is not None
         if kind == FIXED or (kind == PRISMATIC and not has_sensor):
             return Placed(at_link, IDENTITY, turn)
-        if kind != FLOATING and not has_sensor:
+        if not has_sensor:
             x, y, z = rest.position
             a, b, c = self.axis(edge)
             off = (b * z - c * y, c * x - a * z, a * y - b * x)
@@ -216,7 +217,7 @@ class JointReader:
         children[:0] = origin(reading, placed.origin, element)
         kept: list[Element] = []
         held: dict[str, bool | Held] = {**JOINT, "sensor": True}
-        if kind == FLOATING:
+        if (attribute_text(element, "type") or "").strip() in OTHER_TYPES:
             kept += self._other(edge)
             held |= {"axis": True, "axis2": True}
         elif kind == FIXED:
@@ -358,10 +359,13 @@ class JointReader:
         return [making.element("mimic", place, given)]
 
     def _other(self, edge: Edge) -> list[Element]:
-        """Return what only SDF has of a joint: its type and its axes."""
+        """Return what only SDF has of a joint: its type, its axes, and where it is in its child."""
         element = edge.joint.element
         kind = leaf("type", attribute_text(element, "type") or "", element.value_span("type"))
-        return [kind, *self.axes(edge)]
+        pose = self._frames.between(edge.bottom, edge.joint)
+        if pose == IDENTITY:
+            return [kind, *self.axes(edge)]
+        return [kind, pose_element(pose, element, self._names[edge.bottom]), *self.axes(edge)]
 
     def axes(self, edge: Edge) -> list[Element]:
         """Return the axes of a joint as SDF has them, in the frame of the joint."""

@@ -67,7 +67,7 @@ KNOWN = {
     "frame": "pose",
     "include": "name placement_frame plugin pose static uri",
 }
-"""What SDFormat 1.4 to 1.12 know in the elements that are read. Source: the descriptions of the
+"""What SDFormat 1.2 to 1.12 know in the elements that are read. Source: the descriptions of the
 elements, `sdf/1.4` to `sdf/1.12` of libsdformat."""
 _WORDS = {name: frozenset(words.split()) for name, words in KNOWN.items()}
 
@@ -140,12 +140,18 @@ def placed(element: Element, pose: Pose) -> Element:
     """Return an element that is kept whole, with a pose in the frame of what it is in."""
     own = child_named(element, "pose")
     rest = [each for each in element.children if each is not own]
-    numbers = (*pose.position, *pose.rpy)
-    if not any(numbers):
+    if not any((*pose.position, *pose.rpy)):
         return element.with_children(rest)
-    span = own.span if own is not None else element.span
-    text = Text(" ".join(format_value(clean(each)) for each in numbers), span)
-    return element.with_children([Element("pose", span, {}, [text]), *rest])
+    return element.with_children([pose_element(pose, own or element), *rest])
+
+
+def pose_element(pose: Pose, owner: Element, relative_to: str | None = None) -> Element:
+    """Return a `<pose>` of SDF."""
+    numbers = (*pose.position, *pose.rpy)
+    made = leaf("pose", " ".join(format_value(clean(each)) for each in numbers), owner.span)
+    if relative_to is not None:
+        made.attributes["relative_to"] = relative_to
+    return made
 
 
 def clean(number: float) -> float:

@@ -17,7 +17,7 @@ from ...xml.values import format_value
 from .document import Document
 from .inertia import mass_of
 from .joints import JointReader
-from .kept import block_of, check_words, clean, kept_of, leaf, placed
+from .kept import block_of, check_words, kept_of, leaf, placed, pose_element
 from .scopes import FRAME, JOINT, LINK, Anchor, Frames
 from .sensors import Sensors
 from .shapes import Shapes, origin
@@ -287,7 +287,7 @@ class _Robot:
                 making.note("base", reading.place(scope.element.span), {"type": kind})
             )
             if start != IDENTITY:
-                parts.kept.insert(0, _pose_element(start, scope.pose_element() or scope.element))
+                parts.kept.insert(0, pose_element(start, scope.pose_element() or scope.element))
         name = self._choice.name or "robot"
         self._read_sensors(making.element("robot", place, {"name": name}, parts.elements()), parts)
         elements = parts.elements()
@@ -428,8 +428,7 @@ class _Robot:
         """Keep a joint that closes a loop and that only SDF has."""
         joint, span = edge.joint, edge.joint.element.span
         child = self._names[edge.child]
-        pose = _pose_element(self._frames.between(edge.child, joint), joint.element)
-        pose.attributes["relative_to"] = child
+        pose = pose_element(self._frames.between(edge.child, joint), joint.element, child)
         parent = WORLD if edge.parent is None else self._names[edge.parent]
         rest = kept_of(joint.element, {**OF_JOINT, "axis": True, "axis2": True})
         children: list[Node] = [pose, leaf("parent", parent, span), leaf("child", child, span)]
@@ -586,9 +585,3 @@ class _Parts:
 def _end_of(joint: Element, end: str) -> object:
     """Return the link at an end of a joint."""
     return next(each.attributes["link"] for each in joint.elements() if each.name == end)
-
-
-def _pose_element(pose: Pose, owner: Element) -> Element:
-    """Return a `<pose>` of SDF."""
-    numbers = (*pose.position, *pose.rpy)
-    return leaf("pose", " ".join(format_value(clean(each)) for each in numbers), owner.span)

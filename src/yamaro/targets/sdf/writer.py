@@ -59,6 +59,9 @@ class _Model:
         self._blocks = GazeboBlocks(robot)
         self._losses += foreign_losses(robot, taken=("gazebo",))
         self._raw = RawXmlOf(robot, "sdf")
+        self._moved = {  # joints that a block has elsewhere than in the frame of their child
+            raw.joint for raw in robot.raw("sdf") if any(e.name == "pose" for e in raw.elements)
+        }
         self._copier = SensorCopier(self._version, self._losses)
         self._copied = self._blocks.copied_sensors()
         self._losses += renamed_sensors(robot, but=self._copied)
@@ -208,7 +211,8 @@ class _Model:
         joint = self._robot.parent_joint(link.name)
         if joint is None:
             return []
-        if self._bodies.is_dissolved(joint) or joint.type == FLOATING:
+        is_apart = joint.type == FLOATING or joint.name in self._moved
+        if is_apart or self._bodies.is_dissolved(joint):
             return pose_of(joint.origin, self._reference(joint.parent))
         return pose_of(None, self._names.joints[joint.name])
 

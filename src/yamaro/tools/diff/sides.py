@@ -460,10 +460,9 @@ class Side:
     def has_extras(self) -> bool:
         """Return whether the file can hold what URDF has no elements for, such as sensors."""
         from ...source import holds_xml
-        from ...sources.table import SOURCES
 
         span = self.robot.span
-        if span.source.text[span.start : span.end] in SOURCES:  # the name of the outermost element
+        if span.written() in ("mujoco", "model") and span.source.text[span.start - 1] == "<":
             return True
         path = self.build.files[0] if self.build.files else self.origin.path
         return not (holds_xml(path, "") or self.robot.span.source.is_xml)

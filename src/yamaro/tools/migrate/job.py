@@ -14,7 +14,7 @@ from ...sandbox.deadline import TimeOver, run_within
 from ...sandbox.deep_stack import run_on_deep_stack
 from ...sandbox.jail.protocol import JailAnswerBroken, JailUnavailable, pack, unpack
 from ...sandbox.transfer import Outcome, from_bytes, to_bytes
-from ...sources.table import SOURCES
+from ...sources.table import source_of
 from . import urdf as command
 from .robots import Builder, migrate_robot
 from .xacro import command as xacro_command
@@ -160,7 +160,7 @@ class Job:
             if not self.source.path:
                 raise UsageError("a robot in xacro is migrated from a file, not from a pipe")
             return self._migrate_xacro()
-        format = SOURCES.get(root.name)
+        format = source_of(root)
         if self.arguments:
             title = "a URDF" if format is None else f"an {format.title}"
             raise UsageError(f"{title} has no argument to set: '{self.arguments[0]}'")
