@@ -4,8 +4,8 @@ Each sweep is run by a process, with two workers that have a process each. One o
 or the one that runs the sweep, is killed; after that the sweep goes on with `resume`. In the end
 its table has to be that of a sweep that nobody disturbed, byte for byte. The robot writes down each
 of its builds, which shows that no variant is built twice except for those that a kill has cut off:
-the chunks at work when the sweep is killed, or the one variant at which a worker is. With dask and
-Ray that is the chunk of the worker.
+the chunks at work when the sweep is killed, or the one variant at which a worker is. With dask
+that is the chunk of the worker.
 """
 
 from __future__ import annotations
@@ -68,9 +68,7 @@ class Trial:
         self.samples = samples
         self.seed = seed
         self.engine = engine
-        pauses = {"local": 1.2, "dask": 8.0, "ray": 20.0}
-        self._pause = pauses[engine.partition(":")[0]]
-        self._share = 0.6 if engine.startswith("local") else 0.8
+        self._pause, self._share = (1.2, 0.6) if engine.startswith("local") else (8.0, 0.8)
         self.kills = Counter[str]()
         self._chance = chance
 
@@ -104,7 +102,7 @@ class Trial:
                 if self.kills.total() >= most:
                     process.wait(PATIENCE)
                     return workers
-            inner = self._inner(process.pid)
+            inner = descendants(process.pid)
             if inner and self._chance.random() < self._share:
                 if kill(self._chance.choice(inner)):
                     workers += 1
@@ -113,11 +111,6 @@ class Trial:
                 self.kills["sweeps"] += 1
                 process.wait()
                 return workers
-
-    def _inner(self, pid: int) -> list[int]:
-        """Return the processes behind a sweep; of Ray's, those that work, without its scheduler."""
-        inner = descendants(pid)
-        return [each for each in inner if is_of_ray(each)] if "ray" in self.engine else inner
 
     def _check(self, built: list[str], done: set[int], workers: int) -> None:
         """Check what one run has built: nothing of what was done before, hardly anything twice."""
@@ -172,14 +165,6 @@ def descendants(pid: int) -> list[int]:
     return [each for child in children(pid) for each in (child, *descendants(child))]
 
 
-def is_of_ray(pid: int) -> bool:
-    """Return whether a process is a worker of Ray, which has a title of its own."""
-    try:
-        return Path(f"/proc/{pid}/cmdline").read_bytes().startswith(b"ray::")
-    except OSError:
-        return False
-
-
 def kill(pid: int) -> bool:
     """Kill a process; return whether it was there."""
     try:
@@ -194,9 +179,7 @@ def main() -> None:
     parser.add_argument("--kills", type=int, default=50, help="how many kills (default: 50)")
     parser.add_argument("--samples", type=int, default=2000, help="variants of a sweep")
     parser.add_argument("--seed", type=int, default=0, help="which moments are chosen")
-    parser.add_argument(
-        "--engine", default="local:2", help="local:2 (the default), dask:2 or ray:2"
-    )
+    parser.add_argument("--engine", default="local:2", help="local:2 (the default) or dask:2")
     options = parser.parse_args()
     chance = random.Random(options.seed)
     kills = Counter[str]()

@@ -465,25 +465,6 @@ def test_a_transparent_film_has_nothing_left_of_the_frame_before(tmp_path: Path)
         assert right - left < 20
 
 
-def test_an_mp4_is_a_film_of_even_sides(tmp_path: Path) -> None:
-    av = pytest.importorskip("av")
-    options = ("--turn", "--seconds", "0.4", "--size", "121x91")
-    path = picture(tmp_path, two_balls(), *options, name="turn.mp4")
-    with av.open(str(path)) as container:
-        stream = container.streams.video[0]
-        assert (stream.codec_context.name, float(stream.average_rate)) == ("h264", 25.0)
-        # That of a frame itself is kept for the thread, and PyAV 19 hangs where it is freed in
-        # a process forked later.
-        reformatter = av.video.reformatter.VideoReformatter()
-        shots = [
-            reformatter.reformat(frame, format="rgb24").to_ndarray()
-            for frame in container.decode(video=0)
-        ]
-    assert len(shots) == 10
-    assert shots[0].shape == (90, 120, 3)
-    assert shots[0][0, 0].min() > 250
-
-
 # --- files and errors -------------------------------------------------------------------------
 
 

@@ -38,10 +38,10 @@ def test_views_are_names_and_angles() -> None:
 @pytest.mark.parametrize(
     ("output", "options", "said"),
     [
-        ("a.bmp", {}, "names no kind of picture: .png, .jpg, .gif, .mp4"),
+        ("a.bmp", {}, "names no kind of picture: .png, .jpg, .gif"),
         ("a", {}, "names no kind of picture"),
         ("a.gif", {}, "a .gif is a film: add '--turn' or '--sweep all'"),
-        ("a.png", {"turn": ""}, "'--turn' makes a film: name it .gif or .mp4"),
+        ("a.png", {"turn": ""}, "'--turn' makes a film: name it .gif"),
         ("a.png", {"seconds": "2"}, "'--seconds' makes a film"),
         ("a.jpg", {"transparent": ""}, "a .jpg cannot be transparent: name it .png or .gif"),
         ("a.png", {"size": "800"}, "'--size' takes WIDTHxHEIGHT, as in 800x600, not '800'"),

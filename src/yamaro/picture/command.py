@@ -27,18 +27,15 @@ class Result:
         self.remarks = remarks
 
 
-def check_packages(name: str, request: Request) -> None:
+def check_packages(name: str) -> None:
     """Raise YamaroError if a Python package is missing that a picture needs.
 
     Args:
         name: of the robot's file, for the message.
-        request: what is to be drawn.
     """
     from importlib.util import find_spec
 
     needed = {"vtk": "vtkmodules", "numpy": "numpy", "pillow": "PIL", "trimesh": "trimesh"}
-    if request.ending == ".mp4":
-        needed["av"] = "av"
     for package, module in needed.items():
         if find_spec(module) is None:
             message = f"a picture needs yamaro[picture]: the Python package '{package}' is missing"
@@ -72,7 +69,7 @@ def draw(build: Build, name: str, request: Request, reader: Reader) -> Result:
             drawn on this system.
         UsageError: a joint is named that there is not.
     """
-    from .draw import Drawing, gif, mp4, still
+    from .draw import Drawing, gif, still
     from .stage import NoOpenGLError
 
     try:
@@ -83,8 +80,6 @@ def draw(build: Build, name: str, request: Request, reader: Reader) -> Result:
     frames = drawing.frames()
     if request.ending == ".gif":
         data = gif(frames, request.rate)
-    elif request.ending == ".mp4":
-        data = mp4(frames, request.rate)
     else:
         data = still(next(frames), request.ending)
     return Result(data, drawing.warnings, drawing.remarks)

@@ -1,8 +1,7 @@
-"""The drawing of a robot as it is asked for, and its file: PNG, JPEG, GIF, MP4."""
+"""The drawing of a robot as it is asked for, and its file: PNG, JPEG, GIF."""
 
 from __future__ import annotations
 
-from fractions import Fraction
 from io import BytesIO
 from typing import TYPE_CHECKING, Any
 
@@ -213,23 +212,3 @@ def _page(image: PIL.Image.Image, palette: PIL.Image.Image) -> PIL.Image.Image:
     page.paste(COLORS, mask=alpha.point([255] * 128 + [0] * 128))
     page.info["transparency"] = COLORS
     return page
-
-
-def mp4(frames: Iterable[Image], rate: float) -> bytes:
-    """Return pictures as an MP4 with H.264, which every browser plays; sides are made even."""
-    import av
-
-    file = BytesIO()
-    container: Any = av.open(file, "w", format="mp4")
-    stream: Any = None
-    for frame in frames:
-        height, width = (side - side % 2 for side in frame.shape[:2])
-        if stream is None:
-            stream = container.add_stream("libx264", rate=Fraction(rate).limit_denominator(1000))
-            stream.width, stream.height, stream.pix_fmt = width, height, "yuv420p"
-            stream.options = {"crf": "18", "preset": "slow"}
-        pixels = np.ascontiguousarray(frame[:height, :width, :3])
-        container.mux(stream.encode(av.VideoFrame.from_ndarray(pixels, format="rgb24")))
-    container.mux(stream.encode())
-    container.close()
-    return file.getvalue()

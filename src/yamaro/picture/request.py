@@ -49,7 +49,7 @@ ZERO = "zero"
 """The state in which all joints are at 0, if the robot does not call another one so."""
 
 STILLS = (".png", ".jpg", ".jpeg")
-FILMS = (".gif", ".mp4")
+FILM = ".gif"
 LEAST_PIXELS, MOST_PIXELS = 16, 4096
 """Pixels along a side of a picture."""
 
@@ -131,13 +131,13 @@ class Request:
         self.is_transparent = "transparent" in options
         if self.is_transparent and self.ending not in (".png", ".gif"):
             raise UsageError(f"a {self.ending} cannot be transparent: name it .png or .gif")
-        self.rate = _number(options, "frames-per-second", 25 if self.ending == ".mp4" else 20)
+        self.rate = _number(options, "frames-per-second", 20)
         self.seconds = _number(options, "seconds") if "seconds" in options else None
 
     @property
     def is_film(self) -> bool:
         """Return whether it is a film."""
-        return self.ending in FILMS
+        return self.ending == FILM
 
     def _check_film(self, options: Mapping[str, str]) -> None:
         moves = self.turns or self.sweep
@@ -147,7 +147,7 @@ class Request:
             return
         for option in ("turn", "sweep", "seconds", "frames-per-second"):
             if option in options:
-                raise UsageError(f"'--{option}' makes a film: name it .gif or .mp4")
+                raise UsageError(f"'--{option}' makes a film: name it .gif")
 
 
 def read_positions(request: Request, robot: Robot) -> dict[str, float]:
@@ -195,8 +195,8 @@ def _ending_of(output: str) -> str:
     if output == "-":
         return ".png"
     ending = os.path.splitext(output)[1].lower()
-    if ending not in STILLS + FILMS:
-        known = ", ".join((*STILLS[:2], *FILMS))
+    if ending not in (*STILLS, FILM):
+        known = ", ".join((*STILLS[:2], FILM))
         raise UsageError(f"the ending of '{shortened(output)}' names no kind of picture: {known}")
     return ending
 

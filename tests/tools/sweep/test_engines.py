@@ -96,7 +96,7 @@ def test_workers_with_other_versions_are_refused() -> None:
 
 
 @pytest.mark.parametrize(
-    "word", ["spark", "local:0", "local:x", "local://host:1", "dask:x", "ray:", "dask:-1"]
+    "word", ["spark", "local:0", "local:x", "local://host:1", "dask:x", "ray:2", "dask:-1"]
 )
 def test_words_that_name_no_engine_are_wrong_usage(word: str) -> None:
     with pytest.raises(UsageError):

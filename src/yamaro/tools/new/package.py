@@ -107,7 +107,7 @@ def picture_of(name: str, folder: str) -> bytes | None:
     path = os.path.join(folder, *main_file(name).split("/"))
     request = Request(PICTURE, {}, {})
     try:
-        check_packages(path, request)
+        check_packages(path)
         robot = build(path, loader=MemoryLoader(texts))
         return draw(robot, path, request, Reader(Policy(), readable=[], name=path)).data
     except YamaroError:

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 COMMAND = Command(
     "picture",
     ("FILE -o FILE.png [name:=value ...]",),
-    "render the robot as a PNG, GIF or MP4",
+    "render the robot as a PNG or GIF",
     "Render an image or a film of a robot. Requires the Python packages of "
     "yamaro[picture], but no display or browser.",
     words=FILE_WORDS,
@@ -91,13 +91,13 @@ COMMAND = Command(
         Option("seconds", "length of a film", value="N", wants="a number of seconds"),
         Option(
             "frames-per-second",
-            "frame rate of a film; 20 for a .gif and 25 for an .mp4 by default",
+            "frame rate of a film; 20 by default",
             value="N",
             wants="a number",
         ),
         *BUILDING,
     ),
-    help_of={"output": ".png or .jpg; .gif or .mp4 for a film; - for a PNG on standard output"},
+    help_of={"output": ".png or .jpg; .gif for a film; - for a PNG on standard output"},
 )
 
 
@@ -127,7 +127,7 @@ def _request(arguments: Arguments) -> Request:
         request = Request(output, arguments.options, arguments.lists)
     except UsageError as error:
         raise WrongUsage(str(error)) from None
-    check_packages(display_name(arguments), request)
+    check_packages(display_name(arguments))
     return request
 
 

@@ -102,7 +102,7 @@ def sweep(
         metrics: the names of metrics.
         evaluate: a function that evaluates variants, as "file.py:function".
         models: whether the documents are kept.
-        engine: "local", "local:8", "dask://HOST:PORT", "dask", "ray://HOST:PORT" or "ray".
+        engine: "local", "local:8", "dask://HOST:PORT" or "dask".
         resume: whether the sweep in the folder goes on.
         chunk: how many variants are stored together; by default as many as take two seconds.
         timeout: seconds that a variant may take, 60 by default.

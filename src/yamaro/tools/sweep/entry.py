@@ -98,10 +98,10 @@ COMMAND = Command(
         Option(
             "engine",
             "where variants are built: local:8 (processes; the default, with all processors), "
-            "dask://HOST:PORT, dask:8 (a cluster on this machine), ray://HOST:PORT or ray:8",
+            "dask://HOST:PORT, or dask:8 (a cluster on this machine)",
             value="ENGINE",
-            wants="local:N, dask://HOST:PORT, dask:N, ray://HOST:PORT or ray:N",
-            completes="local: dask:// dask: ray:// ray:",
+            wants="local:N, dask://HOST:PORT or dask:N",
+            completes="local: dask:// dask:",
         ),
         Option(
             "x",

@@ -267,7 +267,7 @@ def pictures(folder: str, indices: Mapping[str, int], policy: Policy) -> dict[st
     from ...picture.request import Request
 
     request = Request("robot.png", {"size": SIZE, "transparent": ""}, {})
-    check_packages(folder, request)
+    check_packages(folder)
     import numpy as np
 
     from ...confined import Reader

@@ -27,8 +27,7 @@ from .worker import Child, ChildEnded, Chunk, changed, run_chunk, stop
 Progress = Callable[["Status"], None]
 
 
-LOCAL, DASK, RAY = "local", "dask", "ray"
-ENGINES = (LOCAL, DASK, RAY)
+LOCAL, DASK = "local", "dask"
 CONNECTING_SECONDS = 20.0
 """How long a cluster has to answer."""
 RETRIES = 10
@@ -69,8 +68,8 @@ def engine_of(word: str | None) -> Callable[[], Engine]:
     """Return what opens the engine that a word names.
 
     Args:
-        word: `local`, `local:8`, `dask` (a cluster on this machine), `dask:8`,
-            `dask://HOST:PORT`, `ray`, `ray:8` or `ray://HOST:PORT`.
+        word: `local`, `local:8`, `dask` (a cluster on this machine), `dask:8` or
+            `dask://HOST:PORT`.
 
     What is returned raises YamaroError if a package is missing or the cluster cannot be reached.
 
@@ -78,11 +77,8 @@ def engine_of(word: str | None) -> Callable[[], Engine]:
         UsageError: it names none.
     """
     kind, colon, rest = (word or LOCAL).partition(":")
-    if kind not in ENGINES:
-        raise UsageError(
-            f"there is no engine '{kind}'; write local:8, dask:8, dask://HOST:PORT, ray:8 or "
-            "ray://HOST:PORT"
-        )
+    if kind not in (LOCAL, DASK):
+        raise UsageError(f"there is no engine '{kind}'; write local:8, dask:8 or dask://HOST:PORT")
     address = rest.removeprefix("//") if rest.startswith("//") else ""
     workers = None
     if colon and not address:
@@ -92,8 +88,7 @@ def engine_of(word: str | None) -> Callable[[], Engine]:
         workers = int(rest)
     if kind == LOCAL and address:
         raise UsageError("the engine 'local' takes no address; write local:8")
-    opener = {LOCAL: _open_local, DASK: _open_dask, RAY: _open_ray}[kind]
-    return lambda: opener(address, workers)
+    return lambda: _open_dask(address, workers) if kind == DASK else _open_local(workers)
 
 
 def cores() -> int:
@@ -103,7 +98,7 @@ def cores() -> int:
     return os.cpu_count() or 1
 
 
-def _open_local(address: str, workers: int | None) -> Engine:
+def _open_local(workers: int | None) -> Engine:
     count = workers or cores()
     executor = ThreadPoolExecutor(count, thread_name_prefix="sweep")
     return Engine(executor, count, f"local, {count} workers")
@@ -133,46 +128,6 @@ def _open_dask(address: str, workers: int | None) -> Engine:
     engine._closing.append(client.close)
     if cluster is not None:
         engine._closing.append(cluster.close)
-    return engine
-
-
-class _RayExecutor(Executor):
-    """Gives functions to a cluster of Ray."""
-
-    def __init__(self, ray: Any) -> None:
-        self._remote = ray.remote(max_retries=RETRIES)(_called)
-
-    def submit(  # type: ignore[override]
-        self, function: Callable[..., Any], /, *arguments: Any, **named: Any
-    ) -> Future[Any]:
-        """Have a function called by a worker."""
-        future: Future[Any] = self._remote.remote(function, arguments, named).future()
-        return future
-
-    def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
-        """Take nothing more."""
-
-
-def _called(function: Callable[..., Any], arguments: Any, named: Any) -> Any:
-    """Call a function, in a worker."""
-    return function(*arguments, **named)
-
-
-def _open_ray(address: str, workers: int | None) -> Engine:
-    ray = import_extra("ray", RAY)
-    try:
-        if address:
-            ray.init(f"ray://{address}", logging_level="error", log_to_driver=False)
-        else:
-            ray.init(
-                num_cpus=workers or cores(), include_dashboard=False, logging_level="error",
-                log_to_driver=False,
-            )  # fmt: skip
-    except (OSError, ConnectionError, TimeoutError) as error:
-        raise _unreachable(RAY, address, error) from None
-    count = int(ray.cluster_resources().get("CPU", 1))
-    engine = Engine(_RayExecutor(ray), max(count, 1), f"ray, {count} processors")
-    engine._closing.append(ray.shutdown)
     return engine
 
 
