@@ -18,12 +18,13 @@ SOURCE = ROOT / "src" / "yamaro"
 DOCS = ROOT / "docs"
 sys.path.insert(0, str(ROOT / "src"))
 
+from derived import Tables, update  # noqa: E402
+
 from yamaro.codes import Rule, anchor_of, rules  # noqa: E402
 
 ROOMS = "yaml syntax files xacro sources safe robot check targets picture".split()
 """Folders of src/yamaro in the order of docs/diagnostics.md; after them come the tools."""
 MARK = "<!-- scripts/rules.py writes the rest, from the files rules.md in src/yamaro -->\n"
-TABLE = re.compile(r"(<!-- rules: ([^\n]*) -->\n\n).*?(\n<!-- end of rules -->)", re.DOTALL)
 FENCED = re.compile(r"^(```.*?^```$)", re.MULTILINE | re.DOTALL)
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 SEVERITIES = '''\
@@ -37,18 +38,6 @@ SEVERITIES = {
 '''
 
 
-def main(arguments: list[str]) -> int:
-    """Write the files, or report those that differ; return the exit status."""
-    is_check = arguments == ["--check"]
-    texts = written().items()
-    stale = {path: text for path, text in texts if path.read_text(encoding="utf-8") != text}
-    for path, text in stale.items():
-        print(path.relative_to(ROOT))
-        if not is_check:
-            path.write_text(text, encoding="utf-8")
-    return 1 if stale and is_check else 0
-
-
 def written() -> dict[Path, str]:
     """Return the files with the texts that they have to have."""
     diagnostics, checks = DOCS / "diagnostics.md", DOCS / "checks.md"
@@ -56,9 +45,7 @@ def written() -> dict[Path, str]:
     rows = (f'    "{code}": "{re.split("[ ;]", severities[code])[0]}",\n' for code in severities)
     return {
         diagnostics: diagnostics.read_text(encoding="utf-8").partition(MARK)[0] + MARK + pages(),
-        checks: TABLE.sub(
-            lambda found: found[1] + table(found[2]) + found[3], checks.read_text(encoding="utf-8")
-        ),
+        checks: Tables("rules", table).fill(checks.read_text(encoding="utf-8")),
         SOURCE / "severities.py": SEVERITIES % "".join(sorted(rows)),
     }
 
@@ -108,4 +95,4 @@ def row(rule: Rule) -> str:
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(update(written(), sys.argv[1:]))

@@ -16,7 +16,9 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 DOCS = ROOT / "docs"
-sys.path.insert(0, str(ROOT / "src"))
+sys.path[:0] = [str(ROOT / "src"), str(ROOT / "scripts")]
+
+from derived import Tables, update  # noqa: E402
 
 from yamaro.model.controllers import TYPES as KNOWN_CONTROLLERS  # noqa: E402
 from yamaro.model.quantities import default_of, si_units_of  # noqa: E402
@@ -37,31 +39,14 @@ from yamaro.targets.losses import LOST  # noqa: E402
 from yamaro.targets.table import TARGETS  # noqa: E402
 from yamaro.units import UNITS, name_of  # noqa: E402
 
-BLOCK = re.compile(r"(<!-- schema: ([^\n]*) -->\n\n).*?(\n<!-- end of schema -->)", re.DOTALL)
 OF_JOINT = [ELEMENTS[name] for name in RECORDS if len(ELEMENTS[name].fields) > 1]
 """The keys of a joint that have entries."""
-
-
-def main(arguments: list[str]) -> int:
-    """Write the pages, or report those that differ; return the exit status."""
-    is_check = arguments == ["--check"]
-    texts = written().items()
-    stale = {path: text for path, text in texts if path.read_text(encoding="utf-8") != text}
-    for path, text in stale.items():
-        print(path.relative_to(ROOT))
-        if not is_check:
-            path.write_text(text, encoding="utf-8")
-    return 1 if stale and is_check else 0
 
 
 def written() -> dict[Path, str]:
     """Return the pages that have such tables, with the texts that they have to have."""
     texts = {path: path.read_text(encoding="utf-8") for path in sorted(DOCS.glob("*.md"))}
-    return {
-        path: BLOCK.sub(lambda found: found[1] + TABLES[found[2]]() + found[3], text)
-        for path, text in texts.items()
-        if BLOCK.search(text)
-    }
+    return {path: BLOCKS.fill(text) for path, text in texts.items() if BLOCKS.names(text)}
 
 
 # --- cells ------------------------------------------------------------------------------------
@@ -299,6 +284,7 @@ TABLES: dict[str, Callable[[], str]] = {
     },
 }
 """What writes each table, by the name in its mark."""
+BLOCKS = Tables("schema", lambda name: TABLES[name]())
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(update(written(), sys.argv[1:]))

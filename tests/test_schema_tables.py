@@ -32,9 +32,16 @@ def test_the_tables_are_up_to_date(script: ModuleType) -> None:
 
 def test_each_table_is_in_a_page(script: ModuleType) -> None:
     pages = [path.read_text(encoding="utf-8") for path in DOCS.glob("*.md")]
-    marks = {found[2] for page in pages for found in script.BLOCK.finditer(page)}
+    marks = {name for page in pages for name in script.BLOCKS.names(page)}
     assert marks == set(script.TABLES)
     assert all(page.count("<!-- schema: ") == page.count("<!-- end of schema") for page in pages)
+
+
+def test_an_empty_table_is_filled_and_what_is_after_it_stays(script: ModuleType) -> None:
+    empty, end = "<!-- schema: units -->\n", "<!-- end of schema -->"
+    page = f"{empty}{end}\n\nBetween.\n\n{empty}\n{end}\nAfter.\n"
+    filled = f"{empty}\n{script.units()}\n{end}"
+    assert script.BLOCKS.fill(page) == f"{filled}\n\nBetween.\n\n{filled}\nAfter.\n"
 
 
 @pytest.mark.parametrize("page", ["language.md", "cheat-sheet.md"])

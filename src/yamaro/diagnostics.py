@@ -387,3 +387,22 @@ def meant(
 def meant_word(word: str, words: Iterable[str], span: Span) -> tuple[str | None, Fix | None]:
     """Return hint and fix as `meant` does, for a word of the language: the fix is safe."""
     return meant(word, words, span, is_safe=True)
+
+
+def unknown_word(
+    code: str,
+    message: str,
+    span: Span,
+    word: str,
+    words: Iterable[str],
+    *,
+    hint: str,
+    trace: Frame | None = None,
+) -> YamaroError:
+    """Return the error for a word that the language does not have at this place.
+
+    Of the words that it has there, the nearest is suggested; `hint` says what to write if none is
+    near. The rest is as for `failure`.
+    """
+    near, fix = meant_word(word, words, span)
+    return failure(code, message, span, hint=near or hint, trace=trace, fix=fix)

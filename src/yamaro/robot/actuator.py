@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from math import isfinite, tau
 
-from ..diagnostics import YamaroError, failure
+from ..diagnostics import YamaroError, failure, unknown_word
 from ..model.joint import PRISMATIC
 from ..model.schema import ACTUATOR, COMMANDS, OF_MOTOR
 from ..motors import MOTORS, spelled
@@ -183,16 +183,14 @@ def _entries_of_known(lowering: Lowering, motor: Element, name: Text) -> list[El
     word = word_of(MOTOR, name.value, name.span, owner=motor)
     known = MOTORS.get(spelled(word))
     if known is None:
-        from ..diagnostics import meant_word
-
-        hint, fix = meant_word(spelled(word), MOTORS, name.span)
-        raise failure(
+        raise unknown_word(
             "unknown-motor",
             f"there is no motor '{word}' in the catalogue",
             name.span,
-            hint=hint or f"write what you know of it: {MOTOR}: {{rotor_inertia: …, gear: …}}",
+            spelled(word),
+            MOTORS,
+            hint=f"write what you know of it: {MOTOR}: {{rotor_inertia: …, gear: …}}",
             trace=motor.trace,
-            fix=fix,
         )
     if lowering.joint_type == PRISMATIC:
         raise failure(

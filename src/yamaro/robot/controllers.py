@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from math import isfinite
 
-from ..diagnostics import YamaroError, did_you_mean, failure, meant_word
+from ..diagnostics import YamaroError, did_you_mean, failure, meant_word, unknown_word
 from ..model.controllers import (
     BY_JOINT,
     DISTROS,
@@ -83,7 +83,16 @@ def lower_controllers(lowering: Lowering, word: RobotWord, out: list[Node]) -> N
             elif entry.name == "distro":
                 manager.attributes["distro"] = one_of(entry, DISTROS)
             else:
-                _refuse_unknown_of_manager(entry)
+                if entry.name not in MANAGER:
+                    raise unknown_word(
+                        "unknown-key",
+                        f"'{entry.name}' is not a parameter of the controller manager",
+                        entry.span,
+                        entry.name,
+                        (*MANAGER, "distro"),
+                        hint=f"a controller has a type: {entry.name}: {{type: joint_trajectory}}",
+                        trace=entry.trace,
+                    )
                 manager.children.append(_Reader(lowering, INTEGER, True).read(entry))
         except YamaroError as error:
             lowering.absorb(error)
@@ -97,20 +106,6 @@ def _is_controller(entry: Element) -> bool:
         isinstance(child, Text) and isinstance(child.value, dict) for child in entry.children
     )
     return is_mapping and entry.name not in MANAGER
-
-
-def _refuse_unknown_of_manager(entry: Element) -> None:
-    if entry.name in MANAGER:
-        return
-    hint, fix = meant_word(entry.name, (*MANAGER, "distro"), entry.span)
-    raise failure(
-        "unknown-key",
-        f"'{entry.name}' is not a parameter of the controller manager",
-        entry.span,
-        hint=hint or f"a controller has a type: {entry.name}: {{type: joint_trajectory}}",
-        trace=entry.trace,
-        fix=fix,
-    )
 
 
 def _controller(lowering: Lowering, entry: Element) -> RobotNote:
@@ -164,14 +159,14 @@ def _type_of(word: str, place: Span, entry: Element) -> ControllerType | None:
     """Return what is known of a type; an unknown word is an error, an unknown class is not."""
     known = known_type(word)
     if known is None and ("/" not in word or " " in word):
-        hint, fix = meant_word(word, TYPES, place)
-        raise failure(
+        raise unknown_word(
             "unknown-controller-type",
             f"'{word}' is not a type of controller",
             place,
-            hint=hint or f"write one of {', '.join(TYPES)}, or a class: package/{word}",
+            word,
+            TYPES,
+            hint=f"write one of {', '.join(TYPES)}, or a class: package/{word}",
             trace=entry.trace,
-            fix=fix,
         )
     return known
 
@@ -213,14 +208,14 @@ def read_kinematics(lowering: Lowering, key: Element) -> list[Element]:
             value, span = read_value(entry)
             word = word_of(name, value, span, owner=key)
             if word not in SOLVERS and "/" not in word:
-                hint, fix = meant_word(word, SOLVERS, span)
-                raise failure(
+                raise unknown_word(
                     "bad-choice",
                     f"'{word}' is not a solver of inverse kinematics",
                     span,
-                    hint=hint or f"write one of {', '.join(SOLVERS)}, or the class of a plugin",
+                    word,
+                    SOLVERS,
+                    hint=f"write one of {', '.join(SOLVERS)}, or the class of a plugin",
                     trace=key.trace,
-                    fix=fix,
                 )
             found.append(_parameter(renamed, "text", SOLVERS.get(word, word)))
         else:

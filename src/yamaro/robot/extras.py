@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnostics import YamaroError, failure
+from ..diagnostics import YamaroError, failure, unknown_word
 from ..model.extras import CAMERAS
 from ..model.schema import (
     JOINT_SENSORS,
@@ -132,20 +132,22 @@ def _kind(word: Element, keys: dict[str, Element], types: Mapping[str, Thing]) -
         return kind
     other = JOINT_SENSORS if types is LINK_SENSORS else LINK_SENSORS
     home = "joint" if other is JOINT_SENSORS else "link"
-    from ..diagnostics import meant_word
-
-    hint, fix = (None, None) if kind in other else meant_word(kind, types, span)
-    raise failure(
+    if kind in other:
+        raise failure(
+            "unknown-sensor-type",
+            f"'{kind}' is a sensor of a {home}",
+            span,
+            hint=f"move the sensor into the {home} of a part",
+            trace=word.trace,
+        )
+    raise unknown_word(
         "unknown-sensor-type",
-        f"'{kind}' is a sensor of a {home}"
-        if kind in other
-        else f"'{kind}' is not a type of sensor",
+        f"'{kind}' is not a type of sensor",
         span,
-        hint=f"move the sensor into the {home} of a part"
-        if kind in other
-        else hint or f"the types are {', '.join(types)}",
+        kind,
+        types,
+        hint=f"the types are {', '.join(types)}",
         trace=word.trace,
-        fix=fix,
     )
 
 
@@ -156,20 +158,22 @@ def _check_keys(keys: dict[str, Element], kind: str, types: Mapping[str, Thing])
         if name in known:
             continue
         others = [other for other, thing in types.items() if name in thing.fields]
-        from ..diagnostics import meant_word
-
-        hint, fix = (None, None) if others else meant_word(name, known, key.span)
-        raise failure(
-            "sensor-key" if others else "unknown-key",
-            f"'{name}' is for {' and '.join(others)}, and this is {kind}"
-            if others
-            else f"'{name}' is not an entry of a sensor",
+        if others:
+            raise failure(
+                "sensor-key",
+                f"'{name}' is for {' and '.join(others)}, and this is {kind}",
+                key.span,
+                hint=f"{kind} takes {', '.join(own or [*common][1:])}",
+                trace=key.trace,
+            )
+        raise unknown_word(
+            "unknown-key",
+            f"'{name}' is not an entry of a sensor",
             key.span,
-            hint=f"{kind} takes {', '.join(own or [*common][1:])}"
-            if others
-            else hint or f"{kind} takes {', '.join(known)}",
+            name,
+            known,
+            hint=f"{kind} takes {', '.join(known)}",
             trace=key.trace,
-            fix=fix,
         )
 
 

@@ -7,7 +7,7 @@ change the names in it with all others. At the end the notes are taken out.
 
 from __future__ import annotations
 
-from ..diagnostics import failure
+from ..diagnostics import failure, unknown_word
 from ..xml.tree import Comment, Element, RawBlock, RobotNote, Text
 from ..xml.values import LiteralList, format_value
 from .fields import read_value, word_of
@@ -48,16 +48,14 @@ def check_keys(word: Element, known: Collection[str], *, hint: str = "") -> None
     """
     for key in word.elements():
         if key.name not in known or key.verbatim:
-            from ..diagnostics import meant_word
-
-            near, fix = meant_word(key.name, known, key.span)
-            raise failure(
+            raise unknown_word(
                 "unknown-key",
                 f"'{key.name}' is not an entry of `{word.name}`",
                 key.span,
-                hint=near or hint or f"its entries are {', '.join(sorted(known))}",
+                key.name,
+                known,
+                hint=hint or f"its entries are {', '.join(sorted(known))}",
                 trace=word.trace,
-                fix=fix,
             )
 
 
@@ -291,16 +289,14 @@ def chosen(word: str, span: Span, key: Element, choices: Sequence[str]) -> str:
     """
     if word in choices:
         return word
-    from ..diagnostics import meant_word
-
-    hint, fix = meant_word(word, choices, span)
-    raise failure(
+    raise unknown_word(
         "bad-choice",
         f"'{key.name}' is one of {', '.join(choices)}, and '{word}' is none of them",
         span,
-        hint=hint or f"write {key.name}: {choices[0]}",
+        word,
+        choices,
+        hint=f"write {key.name}: {choices[0]}",
         trace=key.trace,
-        fix=fix,
     )
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnostics import failure
+from ..diagnostics import failure, unknown_word
 from ..source import Span
 from ..yaml.nodes import MappingNode, ScalarNode
 from .context import ParseContext
@@ -35,16 +35,13 @@ def split_scope(key: ScalarNode, what: str) -> tuple[int, str]:
         return len(text), "local"
     scope = text[slash + 1 :].strip()
     if scope not in SCOPES:
-        from ..diagnostics import meant_word
-
-        span = key.span(slash + 1) if scope else key.span()
-        hint, fix = meant_word(scope, SCOPES, span)
-        raise failure(
+        raise unknown_word(
             "unknown-scope",
             f"'{scope}' is not a scope of a {what}",
-            span,
-            hint=hint or f"the scopes are {', '.join(SCOPES)}",
-            fix=fix,
+            key.span(slash + 1) if scope else key.span(),
+            scope,
+            SCOPES,
+            hint=f"the scopes are {', '.join(SCOPES)}",
         )
     return slash, scope
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnostics import YamaroError, failure, suggest
+from ..diagnostics import YamaroError, failure, suggest, unknown_word
 from ..source import Span
 from ..xml.tree import Element, Text, inheriting
 from ..yaml.nodes import MappingNode, ScalarNode, SequenceNode
@@ -658,15 +658,13 @@ def refuse_at_root(key: ScalarNode) -> None:
             key.span(),
             hint="move it under `model:` or into the body of a function",
         )
-    from ..diagnostics import meant_word
-
-    hint, fix = meant_word(word, ROOT_STATEMENTS, key.span())
-    raise failure(
+    raise unknown_word(
         "misplaced-statement",
         f"'{word}' is not allowed in an `if` or `for` at the root of a file",
         key.span(),
-        hint=hint or "put elements under `model:`, and also an `if` that contains them",
-        fix=fix,
+        word,
+        ROOT_STATEMENTS,
+        hint="put elements under `model:`, and also an `if` that contains them",
     )
 
 

@@ -6,7 +6,7 @@ call, a `name:=value` of the command line. It reads as a YAML scalar or flow col
 
 from __future__ import annotations
 
-from ..diagnostics import failure
+from ..diagnostics import failure, unknown_word
 from ..source import Span
 from ..yaml.brackets import find_close
 from ..yaml.nodes import DOUBLE, PLAIN, MappingNode, ScalarNode, SequenceNode, is_null, type_plain
@@ -179,21 +179,13 @@ class Entries:
         self._pairs: dict[str, tuple[ScalarNode, YamlNode]] = {}
         for key, node in pairs:
             if key.text not in known:
-                from ..diagnostics import meant_word
-
                 word = key.text
-                hint, fix = meant_word(word, known, key.span())
                 names = [f"`{name}`" for name in known if name != "body"]
                 rest = f"it takes {', '.join(names)}; statements and elements go under `body:`"
                 if "condition" in known and find_outside(word, " ", 0, len(word)) >= 0:
                     rest = f"write condition: {word}, and the statements under `body:`"
-                raise failure(
-                    "unknown-key",
-                    f"`{what}` has no entry '{word}'",
-                    key.span(),
-                    hint=hint or rest,
-                    fix=fix,
-                )
+                message = f"`{what}` has no entry '{word}'"
+                raise unknown_word("unknown-key", message, key.span(), word, known, hint=rest)
             refuse_twice(self._pairs.get(key.text), key, what)
             self._pairs[key.text] = (key, node)
 

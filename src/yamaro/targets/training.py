@@ -12,9 +12,10 @@ from math import isfinite
 
 from ..diagnostics import WARNING, Diagnostic
 from ..model.joint import UNLIMITED
+from ..model.positions import HOME
 from ..xml.values import format_value
 from .gains import EFFORT, POSITION, VELOCITY, Gains
-from .output import FOLDER
+from .output import FOLDER, Output
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -113,7 +114,7 @@ def is_independent(robot: Robot, name: str) -> bool:
     return joint is not None and joint.is_free and robot.parent_joint(joint.child) is joint
 
 
-def undriven(robot: Robot, title: str) -> list[Diagnostic]:
+def _undriven(robot: Robot, title: str) -> list[Diagnostic]:
     """Return a warning if a policy has nothing to move; else nothing."""
     if any(is_independent(robot, name) for name in robot.actuators):
         return []
@@ -291,20 +292,40 @@ def imported(module: str, names: Iterable[str]) -> str:
 # --- files ------------------------------------------------------------------------------------
 
 
-def stored(name: str, ending: str, text: str) -> tuple[str, dict[str, bytes]]:
-    """Return the path of the model that a configuration loads, named by its content, and its file.
+def configured(
+    robot: Robot,
+    name: str,
+    title: str,
+    losses: Losses,
+    ending: str,
+    model: str,
+    assets: Mapping[str, bytes],
+    text_of: Callable[[str], str],
+) -> Output:
+    """Return the configuration of a robot, with the model that it loads beside it.
+
+    Of the states it has `home` alone.
 
     Args:
-        name: of the robot.
-        ending: of the file.
-        text: of the file.
+        robot: the robot.
+        name: of its file, for a robot without a name.
+        title: of the framework.
+        losses: those so far.
+        ending: of the file of the model, which is named by its content.
+        model: its text.
+        assets: the files that the model refers to.
+        text_of: returns the configuration, given the path of the model.
     """
     from .assets import named_by_content
     from .table import module_stem
 
-    data = text.encode()
-    path = f"{FOLDER}/{named_by_content(module_stem(name), ending, [data])}"
-    return path, {path: data}
+    for state in robot.states.values():
+        if state.name != HOME:
+            losses.lose("states", state)
+    data = model.encode()
+    path = f"{FOLDER}/{named_by_content(module_stem(robot.name or name), ending, [data])}"
+    warnings = _undriven(robot, title)
+    return Output(None, losses, {path: data, **assets}, text=text_of(path), warnings=warnings)
 
 
 def path_beside(path: str) -> str:

@@ -259,6 +259,7 @@ def test_textures_that_cannot_be_shown_are_reported(tmp_path: Path) -> None:
         "textures of meshes without coordinates for them",
         "textures that are not found or cannot be read",
     }
+    assert not build.assets, "the texture that is lost is not beside the document either"
 
 
 def test_friction_of_a_mesh_is_bound_where_physics_looks_for_it(tmp_path: Path) -> None:

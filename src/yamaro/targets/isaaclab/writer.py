@@ -10,7 +10,7 @@ from ...diagnostics import failure
 from ...model.joint import SINGLE
 from ...model.kinematics import joint_positions
 from ...model.pose import UNTURNED, quaternion_from_rotation
-from ...model.positions import HOME, home_positions
+from ...model.positions import home_positions
 from ...model.schema import COMMANDS
 from ..holding import lost_of_actuator
 from ..interface.orders import UnknownOrderError, in_isaac
@@ -23,6 +23,7 @@ from ..training import (
     UNFIT,
     Call,
     Code,
+    configured,
     drives_of,
     grouped,
     imported,
@@ -33,8 +34,6 @@ from ..training import (
     python,
     scales_of,
     steps,
-    stored,
-    undriven,
 )
 from ..usd.writer import write as write_usd
 
@@ -76,10 +75,13 @@ def write(robot: Robot, wanted: Wanted) -> Output:
     drives = drives_of(robot, names, is_fixed=wanted.is_fixed)
     losses = Losses(each for each in model.losses if each.what not in HELD)
     _lose_what_is_not_held(robot, drives, losses)
-    path, files = stored(robot.name or wanted.name, ".usda", _spawned(model.text))
-    text = _text(path, _start(robot, wanted, names, listing), drives)
-    warnings = [*model.warnings, *undriven(robot, TITLE)]
-    return Output(None, losses, {**files, **model.files}, text=text, warnings=warnings)
+    start = _start(robot, wanted, names, listing)
+    output = configured(
+        robot, wanted.name, TITLE, losses, ".usda", _spawned(model.text), model.files,
+        lambda path: _text(path, start, drives),
+    )  # fmt: skip
+    output.warnings = [*model.warnings, *output.warnings]
+    return output
 
 
 def _spawned(text: str) -> str:
@@ -111,9 +113,6 @@ def _lose_what_is_not_held(robot: Robot, drives: list[Drive], losses: Losses) ->
         if drive.line is not None and drive.delay:
             what = "delays of motors with a torque-speed line"
             losses.lose(what, drive.actuator, field="delay")
-    for state in robot.states.values():
-        if state.name != HOME:
-            losses.lose("states", state)
 
 
 # --- what is written --------------------------------------------------------------------------

@@ -25,6 +25,7 @@ from ..training import (
     UNFIT,
     Call,
     Code,
+    configured,
     drives_of,
     grouped,
     imported,
@@ -34,8 +35,6 @@ from ..training import (
     python,
     scales_of,
     steps,
-    stored,
-    undriven,
 )
 
 TYPE_CHECKING = False
@@ -79,14 +78,12 @@ def write(robot: Robot, wanted: Wanted) -> Output:
     drives = drives_of(robot, names, is_fixed=wanted.is_fixed)
     actuators.children += _others(writing, written, drives, losses)
     lose_parts_of_steps(losses, drives)
-    for state in robot.states.values():
-        if state.name != HOME:
-            losses.lose("states", state)
-    root = document(writing, own)
-    path, files = stored(robot.name or wanted.name, ".xml", write_xml(root))
-    text = _text(path, _start(joints, home), drives)
-    warnings = undriven(robot, TITLE)
-    return Output(None, losses, {**files, **writing.files}, text=text, warnings=warnings)
+    start = _start(joints, home)
+    model = write_xml(document(writing, own))
+    return configured(
+        robot, wanted.name, TITLE, losses, ".xml", model, writing.files,
+        lambda path: _text(path, start, drives),
+    )  # fmt: skip
 
 
 def _home(writing: Writing) -> Element | None:

@@ -23,9 +23,8 @@ from .prims import element_of, set_values
 if TYPE_CHECKING:
     from ...model.extras import Actuator
     from ...model.joint import Joint
-    from ...model.robot import Robot
     from ...xml.tree import Element
-    from .prims import Names
+    from .prims import Writing
 
 VARIANTS, DRIVES, ACTUATORS = "Newton", "Disabled", "Enabled"
 """The variant set: with drives, and with actuators of Newton in their place. Source: RV.004 of
@@ -42,23 +41,11 @@ class ControlWriter:
         losses: what USD cannot hold.
     """
 
-    def __init__(
-        self, stage: Usd.Stage, robot: Robot, names: Names, root: str, *, is_fixed: bool
-    ) -> None:
-        """Start.
-
-        Args:
-            stage: takes the actuators.
-            robot: the robot.
-            names: names prims.
-            root: the path of the robot.
-            is_fixed: whether its root is fixed in the world.
-        """
-        self._stage = stage
-        self._robot = robot
-        self._names = names
-        self._root = root
-        self._chosen = Gains(robot, is_fixed=is_fixed, has_armature=True)
+    def __init__(self, writing: Writing) -> None:
+        self._stage, self._robot = writing.stage, writing.robot
+        self._names, self._root = writing.names, writing.root
+        is_fixed = writing.wanted.is_fixed
+        self._chosen = Gains(writing.robot, is_fixed=is_fixed, has_armature=True)
         self._folder = ""
         self._motors: dict[str, Usd.Prim] = {}
         self._apart: list[tuple[UsdPhysics.DriveAPI, Actuator, float, float, float | None]] = []

@@ -35,12 +35,10 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from ...model.pose import Rotation, Vector
-    from ...model.robot import Robot
     from ...source import Span
     from ...xml.tree import Element
-    from ..bodies import Bodies
     from ..elements import Owner
-    from .prims import Names
+    from .prims import Writing
 
 KINDS = {PRISMATIC: UsdPhysics.PrismaticJoint, FIXED: UsdPhysics.FixedJoint}
 EQUALITY = {"solref": [0.004, 1.0], "solimp": [0.99, 0.999, 0.001, 0.5, 2.0]}
@@ -62,42 +60,18 @@ class JointWriter:
         prims: the joints of the articulation, with those that fix roots first.
     """
 
-    def __init__(
-        self,
-        stage: Usd.Stage,
-        robot: Robot,
-        bodies: Bodies,
-        paths: dict[str, str],
-        names: Names,
-        root: str,
-        *,
-        is_fixed: bool,
-    ) -> None:
-        """Start.
-
-        Args:
-            stage: takes the joints.
-            robot: the robot.
-            bodies: which links are bodies.
-            paths: the prims of links and frames.
-            names: names prims.
-            root: the path of the robot.
-            is_fixed: whether its root is fixed in the world.
-        """
-        self._stage = stage
-        self._robot = robot
-        self._bodies = bodies
-        self._paths = paths
-        self._names = names
-        self._is_fixed = is_fixed
-        self._control = ControlWriter(stage, robot, names, root, is_fixed=is_fixed)
-        self._folder = names.new(root, "joints")
+    def __init__(self, writing: Writing) -> None:
+        self._stage, self._robot = writing.stage, writing.robot
+        self._bodies, self._paths = writing.bodies, writing.paths
+        self._names, self._is_fixed = writing.names, writing.wanted.is_fixed
+        self._control = ControlWriter(writing)
+        self._folder = writing.names.new(writing.root, "joints")
         self._prims: dict[str, UsdPhysics.Joint] = {}
         self._made: list[tuple[Usd.Prim, Owner, Mapping[str, Span]]] = []
         self.elements: list[Element] = []
         self.has_variants = False
         self.prims: list[Usd.Prim] = []
-        self.losses = lost_of_joints(robot, "usd")
+        self.losses = lost_of_joints(writing.robot, "usd")
 
     def write(self) -> None:
         """Write all joints, with those that fix the roots in the world, and those of loops."""

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
     from ...meshes.surfaces import Surface
     from ...model.shapes import Mesh, SimpleShape
-    from .prims import Names
+    from .prims import Writing
 
     Array = NDArray[Any]
     Faces = Sequence[Sequence[int]]
@@ -38,17 +38,8 @@ class Prototypes:
 
     __slots__ = ("_folder", "_known", "_names", "_root", "_stage")
 
-    def __init__(self, stage: Usd.Stage, names: Names, root: str) -> None:
-        """Start.
-
-        Args:
-            stage: takes the prototypes.
-            names: names prims.
-            root: the path of the robot.
-        """
-        self._stage = stage
-        self._names = names
-        self._root = root
+    def __init__(self, writing: Writing) -> None:
+        self._stage, self._names, self._root = writing.stage, writing.names, writing.root
         self._folder = ""
         self._known: dict[tuple[object, ...], str] = {}
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from pxr import Gf, Sdf, UsdGeom, Vt
 
 from ...model.pose import quaternion_from_rotation
+from ..bodies import Bodies
 from ..elements import UsedNames, element
 
 if TYPE_CHECKING:
@@ -19,11 +20,13 @@ if TYPE_CHECKING:
     from ...model.joint import Joint
     from ...model.link import Link
     from ...model.pose import Pose
+    from ...model.robot import Robot
     from ...model.values import Written
     from ...source import Span
     from ...xml.tree import Element
     from ..elements import Attributes, Owner
     from ..losses import Losses
+    from ..output import Wanted
 
 
 def element_of(
@@ -54,6 +57,33 @@ def element_of(
         if isinstance(value, (str, float, int)):
             attributes[name] = value
     return element(prim.GetTypeName(), attributes, children=children, owner=owner, places=places)
+
+
+class Writing:
+    """What the writers of one robot share.
+
+    Attributes:
+        stage: takes the prims.
+        robot: the robot.
+        wanted: what is asked for; finds meshes.
+        bodies: which links are bodies.
+        names: names prims.
+        root: the path of the robot.
+        paths: the prims of links and frames, by name.
+    """
+
+    __slots__ = ("bodies", "names", "paths", "robot", "root", "stage", "wanted")
+
+    def __init__(
+        self, stage: Usd.Stage, robot: Robot, wanted: Wanted, names: Names, root: str
+    ) -> None:
+        self.stage = stage
+        self.robot = robot
+        self.wanted = wanted
+        self.bodies = Bodies(robot)
+        self.names = names
+        self.root = root
+        self.paths: dict[str, str] = {}
 
 
 # --- schemas that OpenUSD does not have itself ------------------------------------------------

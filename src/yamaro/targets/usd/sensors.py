@@ -20,12 +20,8 @@ from ..losses import Losses
 from .prims import place, place_by_name
 
 if TYPE_CHECKING:
-    from pxr import Usd
-
     from ...model.extras import Sensor
-    from ...model.robot import Robot
-    from ..bodies import Bodies
-    from .prims import Names
+    from .prims import Writing
 
 APERTURE = 20.955
 """The width of the sensor of a camera, in tenths of a unit: USD's default."""
@@ -47,31 +43,10 @@ class SensorWriter:
         losses: what USD cannot hold of them.
     """
 
-    def __init__(
-        self,
-        stage: Usd.Stage,
-        robot: Robot,
-        bodies: Bodies,
-        paths: dict[str, str],
-        names: Names,
-        root: str,
-    ) -> None:
-        """Start.
-
-        Args:
-            stage: takes the sensors.
-            robot: the robot.
-            bodies: which links are bodies.
-            paths: the prims of links and frames.
-            names: names prims.
-            root: the path of the robot.
-        """
-        self._stage = stage
-        self._robot = robot
-        self._bodies = bodies
-        self._paths = paths
-        self._names = names
-        self._root = root
+    def __init__(self, writing: Writing) -> None:
+        self._stage, self._robot = writing.stage, writing.robot
+        self._bodies, self._paths = writing.bodies, writing.paths
+        self._names, self._root = writing.names, writing.root
         self._renders = ""
         self.losses = Losses()
 

@@ -25,10 +25,8 @@ if TYPE_CHECKING:
     from ...model.extras import Surface as Friction
     from ...model.link import Link, Material, Visual
     from ...model.pose import Pose
-    from ...model.robot import Robot
     from ...model.shapes import Mesh, SimpleShape
-    from ..output import Wanted
-    from .prims import Names
+    from .prims import Writing
 
     Color = tuple[float, ...]
     Image = str
@@ -56,28 +54,16 @@ class ShapeWriter:
         losses: what USD cannot hold of them.
     """
 
-    def __init__(
-        self, stage: Usd.Stage, robot: Robot, wanted: Wanted, names: Names, root: str
-    ) -> None:
-        """Start.
-
-        Args:
-            stage: takes the shapes.
-            robot: the robot.
-            wanted: finds meshes.
-            names: names prims.
-            root: the path of the robot.
-        """
-        self._stage = stage
-        self._robot = robot
-        self._wanted = wanted
-        self._names = names
-        self._folder = names.new(root, "materials")
-        self._prototypes = Prototypes(stage, names, root)
+    def __init__(self, writing: Writing) -> None:
+        self._stage, self._robot = writing.stage, writing.robot
+        self._names, self._has_meshes = writing.names, writing.wanted.has_meshes
+        self._folder = writing.names.new(writing.root, "materials")
+        self._prototypes = Prototypes(writing)
         self._looks: dict[tuple[str, Color, Image | None], UsdShade.Material] = {}
         self._frictions: dict[tuple[float | None, ...], UsdShade.Material] = {}
-        self._contents = MeshContents(wanted.paths)
-        self._surfaces = {(each.link, each.index): each for each in robot.surfaces}
+        self._contents = MeshContents(writing.wanted.paths)
+        self._surfaces = {(each.link, each.index): each for each in writing.robot.surfaces}
+        self._images: dict[Image, bytes] = {}
         self.files: dict[str, bytes] = {}
         self.losses = Losses()
 
@@ -165,7 +151,7 @@ class ShapeWriter:
             label = f"{shape.kind} of link '{link.name}'"
             self.losses.lose(what, link, part=item, label=label)
             return False
-        return isinstance(shape, SIMPLE) or self._wanted.has_meshes
+        return isinstance(shape, SIMPLE) or self._has_meshes
 
     def _instance(
         self, path: str, prototype: str, pose: Pose, scale: tuple[float, ...] | None = None
@@ -254,10 +240,10 @@ class ShapeWriter:
         self.losses.lose(what, link, label=label, span=span)
 
     def _image(self, data: bytes, stem: str) -> Image:
-        """Return the path of an image, which is a file beside the document."""
-        name = f"{FOLDER}/{named_by_content(stem, '.png', [data])}"
-        self.files[name] = data
-        return f"./{name}"
+        """Return the path of an image, which is a file beside the document if a material has it."""
+        path = f"./{FOLDER}/{named_by_content(stem, '.png', [data])}"
+        self._images[path] = data
+        return path
 
     def _own_look(self, link: Link, stem: str) -> Callable[[Usd.Prim, Surface], None]:
         """Return what gives a mesh the look of a surface: a texture, colours, or a colour."""
@@ -306,6 +292,7 @@ class ShapeWriter:
             reader.CreateInput("varname", kinds.String).Set(word)
             source = reader.CreateOutput("result", kinds.Float3 if of_corners else kinds.Float2)
             if not of_corners:
+                self.files[image.removeprefix("./")] = self._images[image]
                 texture = UsdShade.Shader.Define(self._stage, f"{path}/texture")
                 texture.CreateIdAttr("UsdUVTexture")
                 texture.CreateInput("file", kinds.Asset).Set(image)

@@ -9,7 +9,6 @@ from pxr import Gf, Sdf, Usd, UsdGeom, UsdPhysics, Vt
 from ...diagnostics import YamaroError
 from ...model.kinematics import link_poses
 from ...model.pose import Pose
-from ..bodies import Bodies
 from ..contacts import filtered_pairs
 from ..elements import element
 from ..foreign_xml import foreign_losses
@@ -19,7 +18,7 @@ from ..losses import RENAMED, Loss, Losses
 from ..output import Output
 from .control import ACTUATORS, VARIANTS
 from .joints import JointWriter
-from .prims import NEWTON_SCHEMAS, Names, element_of, place, place_by_name, quaternion_of
+from .prims import NEWTON_SCHEMAS, Names, Writing, element_of, place, place_by_name, quaternion_of
 from .sensors import SensorWriter
 from .shapes import ShapeWriter
 
@@ -73,14 +72,12 @@ class _Model:
     def __init__(self, robot: Robot, wanted: Wanted) -> None:
         self._robot = robot
         self._wanted = wanted
-        self._bodies = Bodies(robot)
         self._poses = link_poses(robot)
         self._inertias = Inertias(robot, is_fixed=wanted.is_fixed, repairs=wanted.repairs_inertia)
         self.losses = Losses(self._inertias.losses)
         self.files: dict[str, bytes] = {}
         self.elements: list[Element] = []
         self.names = Names(self.losses)
-        self._paths: dict[str, str] = {}
         self.stage = Usd.Stage.CreateInMemory(".usda")
         UsdGeom.SetStageUpAxis(self.stage, UsdGeom.Tokens.z)
         UsdGeom.SetStageMetersPerUnit(self.stage, 1.0)
@@ -103,7 +100,9 @@ class _Model:
             "newton:selfCollisionEnabled", Sdf.ValueTypeNames.Bool, custom=False
         )
         collides.Set(True)
-        self._shapes = ShapeWriter(self.stage, robot, wanted, self.names, self.root)
+        self._writing = Writing(self.stage, robot, wanted, self.names, self.root)
+        self._bodies, self._paths = self._writing.bodies, self._writing.paths
+        self._shapes = ShapeWriter(self._writing)
 
     def fill(self) -> None:
         """Write everything; raise YamaroError if no body can have an inertia."""
@@ -135,16 +134,16 @@ class _Model:
                 site.CreatePurposeAttr(UsdGeom.Tokens.guide)
                 site.GetPrim().AddAppliedSchema("NewtonSiteAPI")
                 self._shapes.add(link, path)
-        is_fixed, paths, names = self._wanted.is_fixed, self._paths, self.names
-        joints = JointWriter(self.stage, robot, bodies, paths, names, self.root, is_fixed=is_fixed)
+        joints = JointWriter(self._writing)
         joints.write()
         self.elements += joints.elements
-        sensors = SensorWriter(self.stage, robot, bodies, paths, names, self.root)
+        sensors = SensorWriter(self._writing)
         sensors.write()
         self.losses += sensors.losses
         for one, other, _ in filtered_pairs(robot, bodies, self._wanted, self.losses):
-            filtered = UsdPhysics.FilteredPairsAPI.Apply(self.stage.GetPrimAtPath(paths[one]))
-            filtered.CreateFilteredPairsRel().AddTarget(paths[other])
+            prim = self.stage.GetPrimAtPath(self._paths[one])
+            pairs = UsdPhysics.FilteredPairsAPI.Apply(prim).CreateFilteredPairsRel()
+            pairs.AddTarget(self._paths[other])
         self.files = self._shapes.files
         self.losses += self._shapes.losses
         self.losses += joints.losses
