@@ -99,15 +99,14 @@ def expression_in_brackets(
 def colon_in_key(
     given: GivenText, problem: str, context: str, begin: int, at: int
 ) -> Exception | None:
-    """Return the error for `item/a=$({'k': 1}['k']):`, where an expression in a key has a `: `."""
+    """Return the error for `for k in {1: 2}:`, where the brackets of an expression have a `: `."""
     start, end = line_around(given.text, at)
     line = given.text[start:end]
-    before = line.partition(": ")[0]
-    key = line.rpartition(":")[0]
-    is_open = "$(" in before and before.count("(") > before.count(")")
-    if not is_open or before == key or key.count("(") != key.count(")"):
-        return None
+    colons = [found.start() for found in re.finditer(r":(?= |$)", line)]
+    key = next((line[:colon] for colon in colons if _is_closed(line[:colon])), "")
     where = len(key) - len(key.lstrip(" -"))
+    if not key or len(key) == colons[0] or key[where : where + 1] in _NOT_PLAIN:
+        return None
     span = given.span(start + where, start + len(key))
     return failure(
         "yaml-quote",
@@ -116,6 +115,10 @@ def colon_in_key(
         hint=f"write {quoted(key[where:])}:",
         fix=quoting(span, key[where:]),
     )
+
+
+def _is_closed(text: str) -> bool:
+    return all(text.count(one) == text.count(other) for one, other in ("()", "[]", "{}"))
 
 
 def quoting(span: Span, meant: str) -> Fix | None:
