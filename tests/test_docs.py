@@ -9,7 +9,8 @@ import pytest
 from tests.fenced import REPOSITORY, Compile, Document, matches, read_blocks
 from yamaro.commands.main import main
 
-DOCUMENTS = [REPOSITORY / "README.md", *sorted((REPOSITORY / "docs").rglob("*.md"))]
+GUIDE = REPOSITORY / "src" / "yamaro" / "tools" / "guide" / "guide.md"
+DOCUMENTS = [REPOSITORY / "README.md", *sorted((REPOSITORY / "docs").rglob("*.md")), GUIDE]
 
 
 @pytest.fixture

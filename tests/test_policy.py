@@ -334,6 +334,34 @@ def test_without_a_jail_looking_is_safe_mode(
     assert "--jail runs the file confined" in found.hint
 
 
+@pytest.mark.parametrize("mode", ["safe", pytest.param("jail", marks=needs_jail)])
+def test_within_a_folder_nothing_else_is_read(mode: str, tmp_path: Path) -> None:
+    """Neither its repository, nor packages, nor what a link leads to; an allowed path is."""
+    (tmp_path / ".git").mkdir()
+    inside, outside = tmp_path / "robots", tmp_path / "others"
+    for folder in (inside / "deep", outside):
+        folder.mkdir(parents=True)
+        (folder / "leg.yaml").write_text("model:\n- b: found\n")
+    (inside / "link.yaml").symlink_to(outside / "leg.yaml")
+
+    def found(name: str, **options: Any) -> list[str]:
+        main = inside / "robot.yaml"
+        main.write_text(f"model:\n- include: {name}\n")
+        try:
+            yamaro.build(main, policy=Policy(mode, **options), on_message=lambda line: None)
+        except YamaroError as error:
+            return [diagnostic.code for diagnostic in error.diagnostics]
+        return []
+
+    bound = {"within": str(inside)}
+    assert found("../others/leg.yaml") == []
+    assert found("deep/leg.yaml", **bound) == []
+    assert found("../others/leg.yaml", **bound) == ["path-outside"]
+    assert found("link.yaml", **bound) == ["path-outside"]
+    assert found("../others/leg.yaml", **bound, allowed_paths=[str(outside)]) == []
+    assert found("leg.yaml", within=str(outside)) == ["path-outside"]
+
+
 @needs_jail
 @pytest.mark.parametrize(
     "attempt", ["open('new', 'w')", "open('/etc/passwd')", "os.fork()", "subprocess.run('true')"]

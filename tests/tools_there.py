@@ -10,8 +10,8 @@ import pytest
 from yamaro.commands.command_table import command_named
 
 TOOLS = (
-    "diff", "fmt", "lsp", "migrate", "new", "picture", "sweep", "test", "tree", "view", "watch",
-    "why",
+    "diff", "fmt", "guide", "lsp", "mcp", "migrate", "new", "picture", "sweep", "test", "tree",
+    "view", "watch", "why",
 )  # fmt: skip
 
 

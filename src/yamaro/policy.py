@@ -147,6 +147,8 @@ class Policy(Public):
         limits: how much it may use.
         timeout: seconds it may take, or None.
         allowed_paths: files and folders it may read besides its own, if it is not trusted.
+        within: the folder outside of which it may read nothing but these, if it is not trusted;
+            None for no such bound.
         fallback: the policy for code that safe mode refuses, where there is a jail, or None.
         is_confined: whether this process is one that the kernel confines; its jail says so.
         is_abandoned: is asked now and then while a jail works, and ends it by returning True; None
@@ -161,6 +163,7 @@ class Policy(Public):
         "limits",
         "mode",
         "timeout",
+        "within",
     )
     _internal = frozenset(
         ("fallback", "is_abandoned", "is_confined", "is_safe", "is_trusted", "looking")
@@ -173,6 +176,7 @@ class Policy(Public):
         limits: Mapping[str, int] | None = None,
         timeout: float | None = None,
         allowed_paths: Sequence[str] = (),
+        within: str | None = None,
     ) -> None:
         """Decide.
 
@@ -181,6 +185,8 @@ class Policy(Public):
             limits: those that are to differ from the usual ones; "xml_depth" or "xml-depth".
             timeout: in seconds; by default none for a trusted file, and 60 for others.
             allowed_paths: what it may read besides the main file's folder and its packages.
+            within: a folder outside of which it may read nothing but `allowed_paths`: no packages
+                either.
 
         Raises:
             ValueError: there is no such mode or limit, or it cannot have such a value.
@@ -193,6 +199,7 @@ class Policy(Public):
         self.limits = Limits(mode, **(limits or {}))
         self.timeout = timeout if timeout is not None or mode == TRUSTED else USUAL_SECONDS
         self.allowed_paths = tuple(allowed_paths)
+        self.within = within
         self.fallback: Policy | None = None
         self.is_confined = False
         self.is_abandoned: Callable[[], bool] | None = None
@@ -204,15 +211,20 @@ class Policy(Public):
         limits: Mapping[str, int] | None = None,
         timeout: float | None = None,
         allowed_paths: Sequence[str] = (),
+        within: str | None = None,
     ) -> Policy:
         """Return the policy for looking at a file: safe mode, and the jail for what it refuses."""
-        policy = cls(SAFE, limits=limits, timeout=timeout, allowed_paths=allowed_paths)
+        policy = cls(
+            SAFE, limits=limits, timeout=timeout, allowed_paths=allowed_paths, within=within
+        )
         others = {
             name: value
             for name, value in (limits or {}).items()
             if getattr(Limits(JAIL), name.replace("-", "_"))
         }
-        policy.fallback = cls(JAIL, limits=others, timeout=timeout, allowed_paths=allowed_paths)
+        policy.fallback = cls(
+            JAIL, limits=others, timeout=timeout, allowed_paths=allowed_paths, within=within
+        )
         return policy
 
     @property

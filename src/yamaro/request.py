@@ -200,7 +200,8 @@ def reach_of(path: str, policy: Policy, packages: Mapping[str, str]) -> Reach | 
     from .files.readable import Reach, roots_of
 
     allowed = [*policy.allowed_paths, *packages.values()]
-    return Reach(roots_of(os.path.abspath(path), allowed, PackageFinder()))
+    within = [] if policy.within is None else [policy.within, *allowed]
+    return Reach(roots_of(os.path.abspath(path), allowed, PackageFinder()), within)
 
 
 def finder_for(path: str, reach: Reach | None, given: Mapping[str, str]) -> PackageFinder:

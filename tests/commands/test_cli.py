@@ -758,7 +758,9 @@ def test_the_page_on_the_command_lists_its_options() -> None:
     for command in all_commands().values():
         name = "yamaro" if command.name == "build" else f"yamaro {command.name}"
         for form in command.forms:
-            assert any(line.startswith(name + " ") and line.endswith(form) for line in usage), form
+            assert any(
+                f"{line} ".startswith(name + " ") and line.endswith(form) for line in usage
+            ), form
 
 
 def test_version_is_that_of_the_package(capsys: pytest.CaptureFixture[str]) -> None:
@@ -1344,8 +1346,8 @@ def test_values_of_an_argument_are_listed(capsys: pytest.CaptureFixture[str]) ->
                 "yamaro ",
                 ["yamaro", ""],
                 (
-                    "a.urdf args bin check completion diff fmt help lsp migrate new picture "
-                    "robot.yaml sweep test tree two.yml view watch why"
+                    "a.urdf args bin check completion diff fmt guide help lsp mcp migrate new "
+                    "picture robot.yaml sweep test tree two.yml view watch why"
                 ),
             ),
             ("yamaro ro", ["yamaro", "ro"], "robot.yaml"),

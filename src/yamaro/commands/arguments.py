@@ -228,6 +228,9 @@ def make_policy(arguments: Arguments, *, looks: bool = False) -> Policy:
     allowed = arguments.lists.get("allow-path", [])
     if allowed and not looks and mode in (None, TRUSTED):
         raise WrongUsage("'--allow-path' needs --jail or --safe")
+    within = arguments.options.get("within")
+    if within is not None and not looks and mode in (None, TRUSTED):
+        raise WrongUsage("'--within' needs --jail or --safe")
     limits = dict(map(_read_limit, arguments.lists.get("limit", [])))
     timeout = None
     if (seconds := arguments.options.get("timeout")) is not None:
@@ -240,8 +243,12 @@ def make_policy(arguments: Arguments, *, looks: bool = False) -> Policy:
             raise WrongUsage(f"'--timeout' takes {wanted}, not {quote(seconds)}")
     try:
         if looks:
-            return Policy.looking(limits=limits, timeout=timeout, allowed_paths=allowed)
-        return Policy(mode or TRUSTED, limits=limits, timeout=timeout, allowed_paths=allowed)
+            return Policy.looking(
+                limits=limits, timeout=timeout, allowed_paths=allowed, within=within
+            )
+        return Policy(
+            mode or TRUSTED, limits=limits, timeout=timeout, allowed_paths=allowed, within=within
+        )
     except ValueError as error:
         raise WrongUsage(f"{error}") from None
 

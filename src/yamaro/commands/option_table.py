@@ -16,12 +16,13 @@ if TYPE_CHECKING:
     from .command_table import Command
 
 BUILDING = (
-    "quiet", "strict", "allow", "deny", "trust", "jail", "safe", "timeout", "allow-path", "limit",
-    "package", "color", "model",
+    "quiet", "strict", "allow", "deny", "trust", "jail", "safe", "timeout", "allow-path", "within",
+    "limit", "package", "color", "model",
 )  # fmt: skip
 """Those of commands that build one file of the user's, and show its messages."""
 WORKING = (
-    "quiet", "trust", "jail", "safe", "timeout", "allow-path", "limit", "package", "color",
+    "quiet", "trust", "jail", "safe", "timeout", "allow-path", "within",
+    "limit", "package", "color",
 )  # fmt: skip
 """Those of commands that run files."""
 WRITING = ("base", "repair-inertia", "sdf-version")
@@ -273,6 +274,15 @@ OPTIONS = {
             completes="files",
         ),
         Option(
+            "within",
+            "allow reading nothing outside of a folder but what --allow-path names, with --jail "
+            "and --safe; no packages either",
+            READING,
+            value="FOLDER",
+            wants="a folder",
+            completes="files",
+        ),
+        Option(
             "limit",
             "change a limit, such as turns=5000000",
             READING,
@@ -380,7 +390,9 @@ def help_of(name: str) -> str:
     called = "yamaro" if command.name == BUILD else f"yamaro {command.name}"
     forms = " ".join(command.forms)
     has_more = any(f"--{option.name}" not in forms for option in options_of(command)[:-2])
-    lines = [f"{called} {'[options] ' if has_more else ''}{form}" for form in command.forms]
+    lines = [
+        f"{called} {'[options] ' if has_more else ''}{form}".rstrip() for form in command.forms
+    ]
     blocks = [
         [("usage: " if number == 0 else "       ") + line for number, line in enumerate(lines)],
         _wrapped(command.about, 0),

@@ -23,11 +23,16 @@ class Reach:
         wanted: the names of packages that a confined process has asked for.
     """
 
-    __slots__ = ("_installed", "_packages", "is_confined", "roots", "wanted")
+    __slots__ = ("_installed", "_packages", "_within", "is_confined", "roots", "wanted")
 
-    def __init__(self, roots: Sequence[str]) -> None:
-        """Allow what lies in `roots`; a link counts as what it leads to."""
-        self.roots = list(dict.fromkeys(os.path.realpath(root) for root in roots))
+    def __init__(self, roots: Sequence[str], within: Sequence[str] = ()) -> None:
+        """Allow what lies in `roots`, and if `within` is given, also in one of these.
+
+        A link counts as what it leads to.
+        """
+        self._within = [os.path.realpath(each) for each in within]
+        self.roots: list[str] = []
+        self.also_allow([os.path.realpath(root) for root in roots])
         self.is_confined = False
         self.wanted: list[str] = []
         self._installed: InstalledPackages | None = None
@@ -63,23 +68,26 @@ class Reach:
 
     def also_allow(self, other: Sequence[str]) -> None:
         """Allow the folders and files of another reach, too."""
-        self.roots += [root for root in other if root not in self.roots]
+        if self._within:
+            pairs = [(root, limit) for root in other for limit in self._within]
+            other = [root for root, limit in pairs if _lies_in(root, limit)]
+            other += [limit for root, limit in pairs if _lies_in(limit, root)]
+        self.roots += [root for root in dict.fromkeys(other) if root not in self.roots]
 
     def allows(self, path: str) -> bool:
         """Return whether a path, having followed its links, lies where files may be read."""
         real = os.path.realpath(path)
-        return any(
-            real == root or real.startswith(root.rstrip(os.sep) + os.sep) for root in self.roots
-        )
+        return any(_lies_in(real, root) for root in self.roots)
 
     def check(self, path: str) -> None:
         """Raise LoadError if a path lies elsewhere."""
         if not self.allows(path):
+            usual = "by default, a file may read its own folder and its packages"
+            bound = "--within allows reading nothing else outside of its folder"
             raise LoadError(
                 "it is outside of the folders that this file may read",
                 code="path-outside",
-                hint="--allow-path FOLDER allows reading it; by default, a file "
-                "may read its own folder and its packages",
+                hint=f"--allow-path FOLDER allows reading it; {bound if self._within else usual}",
             )
 
     def is_of(self, path: str, descriptor: int) -> bool:
@@ -89,6 +97,11 @@ class Reach:
             return self.allows(real) and os.path.samestat(os.stat(real), os.fstat(descriptor))
         except OSError:
             return False
+
+
+def _lies_in(path: str, root: str) -> bool:
+    """Return whether a path is a folder or lies in it; both without links."""
+    return path == root or path.startswith(root.rstrip(os.sep) + os.sep)
 
 
 def roots_of(path: str, allowed: Sequence[str], packages: PackageFinder) -> list[str]:

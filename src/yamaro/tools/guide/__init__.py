@@ -1,0 +1,1 @@
+"""`yamaro guide`: the language on one page, for programs that write robots."""

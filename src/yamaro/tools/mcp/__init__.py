@@ -1,0 +1,1 @@
+"""`yamaro mcp`: the commands as tools of the Model Context Protocol."""
