@@ -126,6 +126,9 @@ class Comparison:
             missing = [name or f"#{i}" for i, (name, other) in enumerate(pairs) if other is None]
             if missing:
                 self.found[f"{kind} missing"] = ", ".join(missing[:4]) + f" ({len(missing)})"
+            places = [other for other in self._maps[kind] if other is not None]
+            if places != sorted(places):
+                self.found[f"order of {kind}s"] = "is another one"
         bodies, others = self.first.inertias(), self.second.inertias()
         for what in bodies:
             self._static(what, bodies[what], others[what], "body")

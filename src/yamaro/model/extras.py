@@ -31,6 +31,12 @@ if TYPE_CHECKING:
 
 LIDAR, RANGE, FORCE_TORQUE = "lidar", "range", "force_torque"
 CAMERAS = ("camera", "depth_camera")
+MEASURED = {
+    "imu": ("angular_velocity", "linear_acceleration"),
+    FORCE_TORQUE: ("force", "torque"),
+    "gps": ("position_sensing",),
+}
+"""What the one number for a sensor's noise is about."""
 _FULL_CIRCLE_TOLERANCE = 1e-9
 
 

@@ -11,7 +11,7 @@ from math import radians
 
 from ..xml.tree import Element, Text
 from ..xml.values import Numbers
-from .extras import CAMERAS, FORCE_TORQUE, LIDAR, RANGE
+from .extras import CAMERAS, FORCE_TORQUE, LIDAR, MEASURED, RANGE
 from .joint import FIXED
 from .pose import IDENTITY, Pose, rotation_from_quaternion, rotation_from_rpy
 from .schema import COMMANDS
@@ -383,12 +383,6 @@ QUANTITIES = {
     **{name: name for name in ("force", "torque", "position_sensing", "velocity_sensing")},
 }
 """The elements around `<noise>` that say of what it is the noise."""
-MEASURED = {
-    "imu": ("angular_velocity", "linear_acceleration"),
-    FORCE_TORQUE: ("force", "torque"),
-    "gps": ("position_sensing",),
-}
-"""What the one number for a sensor's noise is about."""
 ALL = "all"
 """Means all that a sensor measures, where `<noise>` does not say more."""
 OPTICAL: Rotation = ((0.0, 0.0, 1.0), (-1.0, 0.0, 0.0), (0.0, -1.0, 0.0))

@@ -10,7 +10,7 @@ from ..xml.values import LONGEST_ROW_REMEMBERED, Numbers, format_value, remember
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
+    from collections.abc import Callable, Container, Mapping, Sequence
     from typing import Any, NoReturn
 
     from ..diagnostics import Frame as Step
@@ -289,3 +289,18 @@ def number_at(element: Element | None, names: tuple[str, ...], default: float) -
     """Return the number at a path of names, or the default."""
     row = numbers_in(content_at(element, *names))
     return row[0] if len(row) == 1 else default
+
+
+def shape_name(link: str, kind: str, index: int, taken: Container[str]) -> str:
+    """Return what a shape without a name is called where a block is about it.
+
+    Args:
+        link: the name of the link.
+        kind: `visual` or `collision`.
+        index: its place among those of its kind in the link.
+        taken: the names of the link's other shapes.
+    """
+    name = f"{link}_{kind}" if index == 0 else f"{link}_{kind}_{index + 1}"
+    while name in taken:
+        name += "_"
+    return name

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure, unknown_word
-from ..model.extras import CAMERAS
+from ..model.extras import CAMERAS, MEASURED
 from ..model.schema import (
     JOINT_SENSORS,
     LINK_SENSORS,
@@ -55,9 +55,15 @@ def lower_link_sensor(
         name = str(note.attributes["name"])
         frame = keys.get("frame")
         if frame is not None:
-            _refuse_pose(keys, "'frame' names a frame that is there")
             note.attributes["frame"] = word_of("frame", *read_value(frame), owner=word)
             lowering.references.append((note, "frame"))
+            if any(key in keys for key in POSE_ROWS):
+                pose = read_pose(lowering, sort_fields(lowering, word, SENSOR))
+                note.attributes |= {"xyz": pose.xyz, "rpy": pose.rpy}
+                if note.attributes["type"] in CAMERAS:
+                    note.attributes["optical_frame"] = ""
+                out.append(note)
+                return
         elif is_empty and not any(key in keys for key in POSE_ROWS):
             note.attributes["frame"] = link
         else:
@@ -109,11 +115,38 @@ def _sensor(
     del fields["type"]
     for key_name, key in keys.items():
         field = fields.get(key_name)
+        if key_name == "noise" and key.elements():
+            note.attributes["noises"] = _noises(lowering, key, kind)
+            places["noises"] = key.span
+            continue
         if field is not None:
             note.attributes[key_name] = read_field(lowering, field, key, noun="numbers")[0]
         if key_name not in POSE_ROWS:
             places[key_name] = read_value(key)[1]
     return note, keys
+
+
+def _noises(lowering: Lowering, key: Element, kind: str) -> str:
+    """Return the noise of each quantity that a sensor measures.
+
+    Raises:
+        YamaroError: it does not measure one, or a value is faulty.
+    """
+    measured = MEASURED.get(kind)
+    if measured is None:
+        raise failure(
+            "bad-number",
+            f"a sensor of the type {kind} has one noise",
+            key.span,
+            hint="write noise: 0.01",
+            trace=key.trace,
+        )
+    field = ANY_SENSOR.fields["noise"]
+    rows = [
+        f"{each.name} {format_value(read_field(lowering, field, each)[0])}"
+        for each in given_once(key, measured).values()
+    ]
+    return " ".join(rows)
 
 
 def _kind(word: Element, keys: dict[str, Element], types: Mapping[str, Thing]) -> str:

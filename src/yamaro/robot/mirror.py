@@ -240,6 +240,7 @@ class _Image:
             elif copy.name == "link":
                 self._mirror_link(copy)
             elif isinstance(copy, RobotNote):
+                mirror_pose_in(copy, self.mirror.normal)
                 for joint in copy.elements():
                     if self.signs.get(format_value(joint.attributes.get("joint"))) == -1:
                         change_text(joint, "value", negated)
@@ -488,8 +489,13 @@ def mirror_origin(element: Element, normal: int) -> None:
     """Mirror the `<origin>` in an element."""
     for origin in element.elements():
         if origin.name == "origin":
-            change_text(origin, "xyz", lambda text: mirrored_row(text, normal))
-            change_text(origin, "rpy", lambda text: mirrored_row(text, normal, turns=True))
+            mirror_pose_in(origin, normal)
+
+
+def mirror_pose_in(element: Element, normal: int) -> None:
+    """Mirror the pose that the attributes of an element are, if it has one."""
+    change_text(element, "xyz", lambda text: mirrored_row(text, normal))
+    change_text(element, "rpy", lambda text: mirrored_row(text, normal, turns=True))
 
 
 def mirror_link(link: Element, normal: int) -> None:

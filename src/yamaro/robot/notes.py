@@ -310,10 +310,8 @@ def take_raw_blocks(robot: Element) -> tuple[Element, list[Element]]:
     """Return a robot without the blocks for one format, and a note for each of them.
 
     A note has the `format`, and the `link` or `joint` that the block is in; what it holds is XML of
-    the format. A block in a visual or collision is one of its link, with the element of that name.
-
-    Raises:
-        YamaroError: such a visual or collision has no name.
+    the format. A block in a visual or collision is one of its link, with the element of that name,
+    which is made up if there is none.
     """
     notes: list[Element] = []
     children: list[Node] = []
@@ -332,13 +330,17 @@ def _without_blocks(owner: Element, notes: list[Element]) -> Element:
     home = {owner.name: format_value(owner.attributes.get("name"))}
     trace = owner.trace_within(None)
     children: list[Node] = []
+    indices = {"visual": -1, "collision": -1}
     for child in owner.children:
         if isinstance(child, RawBlock):
             notes.append(_note(child, home, trace))
             continue
-        if isinstance(child, Element) and child.name in ("visual", "collision"):
+        if isinstance(child, Element) and child.name in indices:
+            indices[child.name] += 1
             blocks = [each for each in child.children if isinstance(each, RawBlock)]
             if blocks:
+                if not format_value(child.attributes.get("name")).strip():
+                    child = _named(child, owner, indices[child.name])
                 for name in dict.fromkeys(block.name for block in blocks):
                     own = [block for block in blocks if block.name == name]
                     inner = [each for block in own for each in block.children]
@@ -350,23 +352,23 @@ def _without_blocks(owner: Element, notes: list[Element]) -> Element:
     return owner if children == owner.children else owner.with_children(children)
 
 
+def _named(section: Element, link: Element, index: int) -> Element:
+    """Return a visual or collision of a link with a name, by which a block can be about it."""
+    from ..model.values import shape_name
+
+    taken = {format_value(each.attributes.get("name")).strip() for each in link.elements()}
+    name = shape_name(format_value(link.attributes.get("name")), section.name, index, taken)
+    copy = section.with_children(section.children)
+    copy.attributes = {"name": name, **{k: v for k, v in section.attributes.items() if k != "name"}}
+    return copy
+
+
 def _of_section(section: Element, block: Element) -> RawBlock:
     """Return a block in a visual or collision as one of the link, which names the section.
 
     MJCF, whose elements hold no text, has an entry with a text as an attribute of the geom.
-
-    Raises:
-        YamaroError: the section has no name.
     """
     name = format_value(section.attributes.get("name")).strip()
-    if not name:
-        raise failure(
-            "missing-name",
-            f"this {section.name} has no name, by which '{block.name}' is written into it",
-            block.span,
-            hint=f"write {section.name}/name=shell:",
-            trace=block.trace_within(None),
-        )
     attributes: dict[str, object] = {"name": name}
     spans = {"name": section.value_span("name")}
     children: list[Node] = []

@@ -8,6 +8,7 @@ from ...model import making
 from ...model.joint import FIXED
 from ...model.making import Place
 from ...model.pose import IDENTITY, UNTURNED, ZERO, Pose
+from ...model.values import shape_name
 from ...xml.tree import Element
 from .actuators import Drives
 from .assets import Assets
@@ -22,7 +23,7 @@ from .words import add_camera
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Container, Sequence
 
     from ...model.link import Collision, Color, Inertial, Material, Visual
     from ...model.shapes import Shape
@@ -143,6 +144,11 @@ class Builder:
             else:
                 add_joints(self, body, above.name)
             mass = masses.get(body.name)
+            if mass is not None and body.inertial is not None and mass.is_nothing():
+                nothing = placed(body.inertial)
+                nothing.attributes.setdefault("pos", "0 0 0")
+                self.keep(body.name, nothing)
+                mass = None
             self._add_link(body, self._inertial(body, mass) if mass is not None else None)
             pending += [(body, child) for child in reversed(body.bodies)]
         self.drives.notes(self, self.armatures)
@@ -216,14 +222,7 @@ class Builder:
             if body is not self.world and not body.thing.name:
                 counts[stem] = counts.get(stem, 0) + 1
                 body.name = self.fresh("body", f"{stem}_{counts[stem]}")
-            number, found = 0, []
-            for thing in body.geoms:
-                name = thing.name
-                if not name:
-                    number += 1
-                    name = f"{body.name}_geom{number}"
-                found.append(Geom(thing, name, self.assets))
-            self.geoms[body.name] = found
+            self.geoms[body.name] = [Geom(thing, self.assets) for thing in body.geoms]
 
     def fresh(self, kind: str, wanted: str) -> str:
         """Take a name of a kind that is free: the one that is wanted, or that with a number."""
@@ -320,9 +319,9 @@ class Builder:
         for name, (value, span) in thing.given.items():
             if name in OF_BODY:
                 self.keep(body.name, setting(name, value, span))
-        details = [
-            self._add_geom(body, geom, visuals, collisions) for geom in self.geoms[body.name]
-        ]
+        geoms = self.geoms[body.name]
+        names = {geom.name for geom in geoms}
+        details = [self._add_geom(body, geom, visuals, collisions, names) for geom in geoms]
         self._keep_geoms(body, visuals, collisions, details)
         for other in body.others:
             kept_other = placed(other)
@@ -349,19 +348,31 @@ class Builder:
         body: Body,
         visuals: Sequence[Visual],
         collisions: Sequence[Collision],
-        details: Sequence[Element | None],
+        details: Sequence[Element],
     ) -> None:
-        """Keep what the model does not have of geoms, and their order where it is not the usual."""
-        names = [geom.name for geom in self.geoms[body.name]]
-        shown = [each.name for each in visuals]
-        usual = list(dict.fromkeys([*shown, *(each.name for each in collisions)]))
-        whole = [name for name in names if name not in usual]
-        in_order = names == [*usual, *whole]
-        for geom, element in zip(self.geoms[body.name], details, strict=True):
-            if element is not None and (len(element.attributes) > 1 or element.children):
+        """Keep what the model does not have of geoms, and their order where it is not the usual.
+
+        A geom without a name has one only where something is kept of it.
+        """
+        geoms = self.geoms[body.name]
+        names = [geom.name for geom in geoms if geom.name]
+        shapes: list[Visual | Collision] = [*visuals, *collisions]
+        usual = list(dict.fromkeys([each.name for each in shapes]))
+        last = max((at for at, geom in enumerate(geoms) if geom.name in usual), default=-1)
+        in_order = [name for name in names if name in usual] == usual
+        in_order = in_order and all(geom.name in usual for geom in geoms[: last + 1])
+        named = {geom.thing.name for geom in geoms}
+        both = {each.name for each in visuals} & {each.name for each in collisions}
+        for geom, element in zip(geoms, details, strict=True):
+            if element.attributes.keys() - {"name"} or element.children:
                 self.keep(body.name, element)
-            elif not in_order:
+                named.add(geom.name)
+            elif not in_order or geom.name in both:
                 self.keep(body.name, Element("geom", geom.thing.span, {"name": geom.name}))
+                named.add(geom.name)
+        for each in shapes:
+            if each.name not in named:
+                del each.element.attributes["name"]
 
     def _add_frame(self, body: Body, site: Placed) -> None:
         """Add a site: an empty link on a fixed joint."""
@@ -411,13 +422,18 @@ class Builder:
     # --- geoms ---
 
     def _add_geom(
-        self, body: Body, geom: Geom, visuals: list[Visual], collisions: list[Collision]
-    ) -> Element | None:
+        self,
+        body: Body,
+        geom: Geom,
+        visuals: list[Visual],
+        collisions: list[Collision],
+        names: Container[str],
+    ) -> Element:
         """Append a geom to visuals and collisions; return what the model does not have of it."""
         thing = geom.thing
         found = self._shape_of(geom)
         if found is None:
-            changed: dict[str, object] = {"name": geom.name}
+            changed: dict[str, object] = {}
             left = {"fromto", "mass", "density", "shellinertia"}
             if geom.type in OF_MESHES or geom.type in ("plane", "hfield"):
                 pose = geom.pose
@@ -432,6 +448,10 @@ class Builder:
         at = self.origin(thing, pose)
         is_solid, is_seen = geom.is_solid(), geom.is_seen()
         has_look = is_seen or not is_solid
+        if not geom.name:
+            alike = collisions if is_solid else visuals
+            kind = "visual" if not is_solid else "geom" if has_look else "collision"
+            geom.name = shape_name(body.name, kind, len(alike), names)
         if has_look:
             look = self._look(body, geom)
             visuals.append(
@@ -524,9 +544,12 @@ class Builder:
             if [*friction, *usual[len(friction) :]] == usual:
                 left.add("friction")
         if has_look and is_solid:
-            changed["group"] = str(geom.group)
+            left.add("group")
+            if geom.group:
+                changed["group"] = str(geom.group)
             for name in ("contype", "conaffinity"):
-                changed[name] = str(int(number(given, name, 1.0)))
+                if int(number(given, name, 1.0)) == 1:
+                    left.add(name)
         else:
             left.add("group")
             if geom.group != (SOLID if is_solid else VISIBLE):

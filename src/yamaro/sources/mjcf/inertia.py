@@ -37,6 +37,10 @@ class Mass:
         self.pose = pose
         self.inertia = inertia
 
+    def is_nothing(self) -> bool:
+        """Return whether it has neither mass nor inertia, as what stands still may in MuJoCo."""
+        return not self.mass and not any(map(any, self.inertia))
+
     def along(self) -> tuple[Pose, Vector]:
         """Return the pose along the principal axes, and the moments about them."""
         (xx, xy, xz), (_, yy, yz), (_, _, zz) = self.inertia

@@ -187,6 +187,8 @@ def _add(
         builder.limits[name] = (lower, upper)
 
 
+ROUNDING = 1e-9
+"""How far forces may be off that are the same."""
 _ELSEWHERE = frozenset(
     (
         "damping", "frictionloss", "actuatorfrcrange", "actuatorfrclimited", "ref", "springref",
@@ -204,7 +206,8 @@ def _limit(
 ) -> Limit | None:
     """Return the limit of a joint, or None if it has none; append what it does not hold.
 
-    Where the joint does not bound the effort, it is that of its actuators.
+    Where the joint does not bound the effort, it is that of its actuators; the writer of MJCF
+    bounds the joint where these could exceed it.
     """
     given = thing.given
     force = numbers(given, "actuatorfrcrange", 2)
@@ -218,15 +221,17 @@ def _limit(
     if force is not None and is_bounded:
         values["effort"] = max(map(abs, force))
         places["effort"] = given["actuatorfrcrange"][1]
+        own = builder.drives.effort(name)
         if force[0] != -force[1]:
             extras.append(setting("actuatorfrcrange", row(force), places["effort"]))
+        elif own is not None and own <= values["effort"] * (1 + ROUNDING):
+            extras.append(setting("actuatorfrclimited", "true", places["effort"]))
     else:
-        if force is not None:
-            extras.append(setting("actuatorfrcrange", row(force), given["actuatorfrcrange"][1]))
         effort = builder.drives.effort(name)
         if effort:
             values["effort"] = effort
-        if force is not None or effort:
+        if force is not None:
+            extras.append(setting("actuatorfrcrange", row(force), given["actuatorfrcrange"][1]))
             extras.append(setting("actuatorfrclimited", "false", thing.span))
     if ends is None and not values:
         return None

@@ -40,7 +40,7 @@ class Geom:
 
     Attributes:
         thing: its element.
-        name: its name, made up if it has none.
+        name: its name; one without is given one with its shape.
         type: its type.
         pose: T_body_geom.
         sizes: the radii and halves of lengths; none of a mesh.
@@ -50,7 +50,7 @@ class Geom:
 
     __slots__ = ("group", "mesh", "name", "pose", "sizes", "thing", "type")
 
-    def __init__(self, thing: Placed, name: str, assets: Assets) -> None:
+    def __init__(self, thing: Placed, assets: Assets) -> None:
         """Read a geom.
 
         Raises:
@@ -58,7 +58,7 @@ class Geom:
         """
         given = thing.given
         self.thing = thing
-        self.name = name
+        self.name = thing.name
         self.type = chosen(given, "type", TYPES, "sphere")
         self.group = int(number(given, "group", 0.0))
         self.sizes: Sizes = tuple(numbers(given, "size", 1, 3) or ())

@@ -171,6 +171,45 @@ def _controller(actuator: Actuator, joint: Joint, gains: Gains) -> Attributes:
     return {"input": inputs, "controller": (kp, 0.0, kd, 0.0, 0.0, most)}
 
 
+def leave_out_bounds(writing: Writing) -> None:
+    """Leave out the greatest effort of joints that their actuators cannot exceed.
+
+    A block that says it, or whether it holds, keeps it.
+    """
+    forces: dict[str, float] = {}
+    for each in writing.sections["actuator"].elements():
+        joint = attribute_text(each, "joint")
+        if joint is not None:
+            forces[joint] = forces.get(joint, 0.0) + _greatest_force(each)
+    for name, elements in writing.joints.items():
+        said = writing.blocks.settings("joint", name)
+        for each in elements:
+            bound = numbers_of(each, "actuatorfrcrange")
+            own = forces.get(attribute_text(each, "name") or "", inf)
+            if bound and own <= bound[1] * (1 + SAME) and KEEPING.isdisjoint(said):
+                del each.attributes["actuatorfrcrange"]
+
+
+KEEPING = frozenset(("actuatorfrcrange", "actuatorfrclimited", "actuatorgravcomp"))
+SAME = 1e-9
+"""How far forces may be off that are the same."""
+
+
+def _greatest_force(actuator: Element) -> float:
+    """Return the greatest force of an actuator at its joint; inf if nothing bounds it."""
+    gear = abs((*numbers_of(actuator, "gear"), 1.0)[0])
+    ends = numbers_of(actuator, "forcerange")
+    if ends and not _is_off(actuator, "forcelimited"):
+        return gear * max(map(abs, ends))
+    ends = numbers_of(actuator, "ctrlrange")
+    types = [attribute_text(actuator, f"{each}type") for each in ("gain", "bias", "dyn")]
+    is_plain = actuator.name in ("motor", "general") and set(types) <= {None, "fixed", "none"}
+    if ends and is_plain and not _is_off(actuator, "ctrllimited"):
+        gain = (*numbers_of(actuator, "gainprm"), 1.0)[0]
+        return gear * abs(gain) * max(map(abs, ends))
+    return inf
+
+
 # --- keyframes: the robot's states, and where it rests if it says nothing of `home` -----------
 
 

@@ -34,20 +34,21 @@ def add_geoms(writing: Writing, looks: Looks) -> None:
         if link.name in writing.plan.passed:
             continue
         body = writing.body_of(link.name)
+        is_whole = writing.blocks.is_whole
         given = writing.blocks.geoms(link.name)
-        colliding = {each.name for each in link.collisions}
+        colliding = {each.name for each in link.collisions if each.name}
         both: dict[str, Visual] = {}
         for visual in link.visuals:
-            if visual.name in given & colliding:
+            if visual.name in colliding and (is_whole or visual.name in given):
                 both[visual.name] = visual
             else:
-                is_one = visual.name in given
+                is_one = is_whole or visual.name in given
                 body.children += _visual(writing, link, visual, looks, is_one=is_one)
         for index, collision in enumerate(link.collisions):
             surface = surfaces.get((link.name, index))
             look: Attributes = {}
             if collision.name in both:
-                look = looks.of_visual(link, both[collision.name])
+                look = {"group": 0, **looks.of_visual(link, both[collision.name])}
             body.children += _collision(writing, link, collision, surface, looks, look)
 
 
@@ -56,7 +57,7 @@ def _visual(
 ) -> list[Element]:
     """Return the geoms of a visual, of which a mesh has one for each of its materials.
 
-    One that a block names is one geom.
+    One that a block names is one geom, and so are all of a robot that blocks say the rest of.
     """
     look = looks.of_visual(link, visual)
     parts: list[Attributes]
@@ -68,7 +69,7 @@ def _visual(
         parts = [{**whole, **look}] if whole is not None else []
     else:
         parts = looks.visual_mesh(link, visual, visual.shape, look)
-    name = visual.name or f"{stem_of(link.name)}_visual"
+    name = visual.name or _made_name(writing, link, "visual")
     return [_geom(writing, link, visual, name, writing.classes.visual, part) for part in parts]
 
 
@@ -101,8 +102,13 @@ def _collision(
     part |= look
     if surface is not None:
         part |= surface_attributes(writing, link, surface)
-    name = collision.name or f"{stem_of(link.name)}_collision"
+    name = collision.name or _made_name(writing, link, "collision")
     return [_geom(writing, link, collision, name, writing.classes.collision, part)]
+
+
+def _made_name(writing: Writing, link: Link, kind: str) -> str:
+    """Return the name of a shape that has none; "" where blocks say all that links do not."""
+    return "" if writing.blocks.is_whole else f"{stem_of(link.name)}_{kind}"
 
 
 def _geom(
@@ -114,7 +120,7 @@ def _geom(
     attributes: Attributes,
 ) -> Element:
     """Return a geom under a name that is free."""
-    found = writing.names.fresh(GEOM, name)
+    found = writing.names.fresh(GEOM, name) if name else ""
     if found != name and owner.name:
         found = writing.names.fresh(GEOM, f"{stem_of(link.name)}_{name}")
         kind = "visuals" if default == writing.classes.visual else "collisions"
@@ -127,7 +133,12 @@ def _geom(
         places |= {"pos": pose.span, "quat": pose.span}
     if owner.shape is not None and owner.shape.span is not None:
         places["size"] = owner.shape.span
-    whole: Attributes = {"name": found, "class": default, **attributes, **pose_attributes(pose)}
+    whole: Attributes = {
+        "name": found or None,
+        "class": default,
+        **attributes,
+        **pose_attributes(pose),
+    }
     return element("geom", whole, owner=link, part=owner, places=places)
 
 

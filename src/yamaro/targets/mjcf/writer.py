@@ -14,7 +14,7 @@ from ..table import TARGETS
 from .assets import Looks, with_files
 from .blocks import ACTUATORS, ANCHOR, SINGLES, changed, drivers, merge, merged, names, set_from
 from .constraints import add_excludes, add_loops, add_mimics
-from .control import add_actuators, add_keyframes
+from .control import add_actuators, add_keyframes, leave_out_bounds
 from .links import add_bodies, put_on_floor, sort_bodies
 from .model import Writing, pose_attributes
 from .scene import scene
@@ -25,7 +25,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ...model.link import Link
     from ...model.robot import Robot
-    from ...xml.tree import Element
+    from ...xml.tree import Node
     from ..elements import Attributes
     from ..output import Wanted
     from .model import Writing
@@ -61,6 +61,8 @@ def modelled(robot: Robot, wanted: Wanted) -> tuple[Writing, list[Element]]:
     add_mimics(writing)
     add_loops(writing)
     top = merge_blocks(writing)
+    if writing.blocks.is_whole:
+        leave_out_bounds(writing)
     sort_bodies(writing)
     add_keyframes(writing)
     planes = (PLANAR, FLOATING)
@@ -171,8 +173,14 @@ def merge_blocks(writing: Writing) -> list[Element]:
             each.children += rest
     actuators = writing.sections["actuator"]
     actuators.children = merged(actuators.children, driving, drivers, orders=False)
+    order = {writing.joint_name(name): at for at, name in enumerate(writing.robot.actuators)}
+    actuators.children.sort(key=lambda each: order.get(_joint_of(each), len(order)))
     writing.losses += blocks.left(written)
     return _merge_sections(writing)
+
+
+def _joint_of(actuator: Node) -> str:
+    return (attribute_text(actuator, "joint") or "") if isinstance(actuator, Element) else ""
 
 
 def _merge_link(writing: Writing, link: Link) -> None:

@@ -8,7 +8,7 @@ that includes.
 
 from __future__ import annotations
 
-from ...model.extras import Camera, Lidar, Ranger
+from ...model.extras import MEASURED, Camera, Lidar, Ranger
 from ...model.sdf_schema import SENSOR_TYPES
 from ...model.values import attribute_text
 from ...xml.tree import Element
@@ -51,7 +51,7 @@ def details_of(
         collisions: the names of the shapes that a contact sensor feels.
         has_optical: whether the optical frame of a camera is named, which SDFormat 1.9 has not.
     """
-    noise, details = _noise(sensor), sensor.details
+    noise, details = _noise(sensor, sensor.noise), sensor.details
     if isinstance(details, Lidar):
         rays = _rays("horizontal", details.rays, details.ends())
         if details.rows > 1:
@@ -69,15 +69,15 @@ def details_of(
         return [element("contact", children=felt)]
     if sensor.type == "force_torque":
         parts = given(("frame", "child"), ("measure_direction", "child_to_parent"))
-        parts += _by_axis(noise, "force", "torque")
+        parts += _of_quantities(sensor)
         return [element("force_torque", children=parts)]
+    if sensor.type == "imu":
+        parts = _of_quantities(sensor)
+        return [element("imu", children=parts)] if parts else []
     if not noise:
         return []
-    if sensor.type == "imu":
-        parts = _by_axis(noise, "angular_velocity", "linear_acceleration")
-        return [element("imu", children=parts)]
     if sensor.type == "magnetometer":
-        return _by_axis(noise, "magnetometer")
+        return [_by_axis("magnetometer", noise)]
     both = [element(name, children=noise) for name in ("horizontal", "vertical")]
     return [element("navsat", children=[element("position_sensing", children=both)])]
 
@@ -105,21 +105,28 @@ def _camera(sensor: Sensor, camera: Camera) -> list[Element]:
     ]
 
 
-def _noise(sensor: Sensor) -> list[Element]:
+def _noise(sensor: Sensor, deviation: float | None) -> list[Element]:
     """Return the noise of a sensor: lidars and cameras have its type as an element in it."""
-    if sensor.noise is None:
+    if deviation is None:
         return []
-    values = given(("mean", 0.0), ("stddev", sensor.noise))
+    values = given(("mean", 0.0), ("stddev", deviation))
     if sensor.details is not None:
         return [element("noise", children=[*given(("type", "gaussian")), *values])]
     return [element("noise", {"type": "gaussian"}, children=values)]
 
 
-def _by_axis(noise: list[Element], *names: str) -> list[Element]:
-    if not noise:
-        return []
-    axes = [element(axis, children=noise) for axis in "xyz"]
-    return [element(name, children=axes) for name in names]
+def _of_quantities(sensor: Sensor) -> list[Element]:
+    """Return the noise of each quantity that a sensor measures, along each axis."""
+    found = []
+    for name in MEASURED[sensor.type]:
+        noise = _noise(sensor, sensor.noises.get(name, sensor.noise))
+        if noise:
+            found.append(_by_axis(name, noise))
+    return found
+
+
+def _by_axis(name: str, noise: list[Element]) -> Element:
+    return element(name, children=[element(axis, children=noise) for axis in "xyz"])
 
 
 def surface_of(surface: Surface | None, more: Iterable[tuple[str, Element]] = ()) -> Element:

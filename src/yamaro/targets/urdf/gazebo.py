@@ -9,6 +9,7 @@ from ...diagnostics import Reporter
 from ...model.joint import FIXED
 from ...xml.tree import Element
 from ..elements import element, given
+from ..sdf.links import pose_of
 from ..sdf.sensors import details_of, surface_of, times_of, type_of
 
 TYPE_CHECKING = False
@@ -27,7 +28,8 @@ def with_gazebo(root: Element, robot: Robot, reporter: Reporter) -> Element:
         attributes: Attributes = {"name": sensor.name, "type": type_of(sensor)}
         details = details_of(sensor, [f"{sensor.link}_collision"])
         named = given(("gz_frame_id", sensor.frame))
-        content = [element("sensor", attributes, children=[*times_of(sensor), *named, *details])]
+        inner = [*pose_of(sensor.pose), *times_of(sensor), *named, *details]
+        content = [element("sensor", attributes, children=inner)]
         joint = robot.joints.get(sensor.joint or "")
         if joint is not None and joint.type == FIXED:
             content.insert(0, element("preserveFixedJoint", text="true"))

@@ -6,7 +6,16 @@ from ...model.compare import Difference, compare
 from ...model.values import values_of
 from ...xml.tree import Element
 from .elements import name_of
-from .notes import ROBOT, actuators_in_order, frames_of_sites, home_of, is_setting, settings_of
+from .notes import (
+    ROBOT,
+    actuators_in_order,
+    frames_of_sites,
+    home_of,
+    is_setting,
+    made_names,
+    settings_of,
+    without_name,
+)
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -91,9 +100,24 @@ def _sorted_notes(root: Element, notes: Sequence[Element]) -> dict[str, Element]
         for each in elements:
             by_tag.setdefault("" if is_setting(each) else each.name, []).append(each)
         by_tag.get("", []).sort(key=lambda setting: setting.name)
+        geoms = [each for each in by_tag.get("geom", []) if [*each.attributes] != ["name"]]
+        by_tag["geom"] = sorted(geoms, key=name_of)  # their order means nothing
         ordered: list[Node] = [each for _, row in sorted(by_tag.items()) for each in row]
-        found[key] = Element("block", elements[0].span, {}, ordered)
+        if ordered:
+            found[key] = Element("block", elements[0].span, {}, ordered)
     return found
+
+
+def without_made_names(root: Element) -> Element:
+    """Return a robot without the names of shapes that the reader of MJCF made up."""
+    children: list[Node] = []
+    for child in root.children:
+        if isinstance(child, Element) and child.name == "link":
+            made = {id(each): without_name(each) for each in made_names(child)}
+            inner = [made.get(id(each), each) for each in child.children]
+            child = child.with_children(inner) if made else child
+        children.append(child)
+    return root.with_children(children)
 
 
 def _without(element: Element, attribute: str) -> Element:

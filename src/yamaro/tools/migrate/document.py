@@ -8,6 +8,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
+    from ...source import Span
+
 WIDTH = 100
 """Characters that a line with a mapping in braces may have."""
 RECORD_WIDTH = 120
@@ -22,7 +24,7 @@ class Body:
     """A mapping of the language: entries in order, whose keys may come again."""
 
     __slots__ = (
-        "entries", "has_call", "in_braces", "latest", "opening", "remark", "width", "wraps",
+        "entries", "has_call", "in_braces", "latest", "opening", "remark", "span", "width", "wraps",
     )  # fmt: skip
 
     def __init__(
@@ -34,6 +36,8 @@ class Body:
         self.width = width
         self.has_call = False
         """Whether its last entry is a call without arguments, which may stay in the braces."""
+        self.span: Span | None = None
+        """Where the source has the joint or shape that it is of."""
         self.wraps = False
         """Whether it may go on several lines in its braces; it holds short texts alone."""
         self.remark = ""

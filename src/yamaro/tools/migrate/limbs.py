@@ -223,7 +223,7 @@ def _rebuilt(entry: Entry, texts: Iterator[str]) -> Entry:
     if isinstance(value, Body):
         inner = Body([_rebuilt(each, texts) for each in value], in_braces=value.in_braces,
                      width=value.width)  # fmt: skip
-        inner.remark, inner.opening = value.remark, value.opening
+        inner.remark, inner.opening, inner.span = value.remark, value.opening, value.span
         value = inner
     elif isinstance(value, str):
         text = next(texts)

@@ -7,9 +7,10 @@ unless the order of the geoms would be another one then.
 
 from __future__ import annotations
 
+from ...model.compare import ZEROS, same_words
 from ...model.extras import CAMERAS
 from ...model.schema import ACTUATOR, OF_MOTOR, SENSOR, SENSORS, SURFACE
-from ...model.values import values_of
+from ...model.values import shape_name, values_of
 from ...robot.extras import OPTICAL
 from ...xml.tree import Element
 from .document import RECORD_WIDTH, Body, Entry, Flow
@@ -20,7 +21,7 @@ from .writing import scalar_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping, Sequence
+    from collections.abc import Collection, Iterable, Mapping, Sequence
 
     from ...xml.tree import Node
     from .elements import ElementWriter
@@ -36,6 +37,7 @@ COUNTED = {"actuator": "actuator", "sensor": "sensor", "state": "state", "robot-
 """The notes that a report counts, and what it calls them."""
 COMPUTED = {"rotor_inertia": ("armature",), "frequency": ("kp", "kd")}
 """Values of an actuator that follow from others."""
+SHAPES = ("visual", "collision")
 MILLISECONDS = 0.1
 """Times below this many seconds are written in milliseconds."""
 
@@ -81,6 +83,28 @@ def home_of(note: Element) -> Home:
         if kind in values:
             return kind, values[kind]
     return ROBOT
+
+
+def made_names(link: Element) -> list[Element]:
+    """Return the shapes of a link that have a name that the reader of MJCF made up."""
+    found = []
+    counts = {"visual": -1, "collision": -1}
+    names = {name_of(each) for each in link.elements()}
+    for each in link.elements():
+        if each.name in counts:
+            counts[each.name] += 1
+            name = name_of(each)
+            made = shape_name(name_of(link), each.name, counts[each.name], names - {name})
+            if name == made:
+                found.append(each)
+    return found
+
+
+def without_name(element: Element) -> Element:
+    """Return an element without its name."""
+    copy = element.with_children(element.children)
+    copy.attributes = {key: own for key, own in element.attributes.items() if key != "name"}
+    return copy
 
 
 class Notes:
@@ -158,6 +182,8 @@ class Notes:
         for name in wanted:
             (note,) = self._notes["actuator", ("joint", name)][:1]
             word = words[values_of(note).get("command", "position")]
+            for element in self._blocks.get(("joint", name), {}).get(MJCF, ()):
+                word = word if is_setting(element) else element.name
             rows.append(Element(word, span, {"joint": name}))
         self._blocks.setdefault(ROBOT, {}).setdefault(MJCF, []).append(
             Element("actuator", span, {}, rows)
@@ -187,51 +213,62 @@ class Notes:
                     blocks[MJCF] = [each for each in blocks[MJCF] if each is not element]
 
     def _settle_geoms(self, name: str, link: Element) -> None:
-        """Move what the block of a link says of geoms to the sections of their names."""
+        """Move what the block of a link says of geoms to the sections of their names.
+
+        What only names a geom says its place among the others, which means nothing.
+        """
         block = self._blocks.get(("link", name), {}).get(MJCF, [])
-        geoms = [element for element in block if element.name == "geom"]
-        if not geoms:
-            return
-        sections: dict[str, list[Element]] = {"visual": [], "collision": []}
-        named: dict[str, list[Element]] = {}
+        rows: dict[str, list[Element]] = {"visual": [], "collision": []}
+        named: dict[str, Element] = {}
         for child in link.elements():
-            if child.name in sections:
-                sections[child.name].append(child)
-                named.setdefault(name_of(child), []).append(child)
-        moved: list[tuple[Element, Element]] = []
-        queues = {kind: iter(row) for kind, row in sections.items()}
+            if child.name in rows:
+                rows[child.name].append(child)
+                named[name_of(child)] = child  # the collision, of a geom that is both
+        known = [each for each in block if each.name == "geom" and name_of(each) in named]
+        moved = {id(each): named[name_of(each)] for each in known if not each.children}
+        for geom in known:
+            if id(geom) in moved and [*geom.attributes] != ["name"]:
+                section = moved[id(geom)]
+                body = self._of_sections.setdefault(id(section), {}).setdefault(MJCF, _braced())
+                for key, value in values_of(geom).items():
+                    if key != "name":
+                        body.add(key, value)
+        block[:] = [each for each in block if id(each) not in moved]
+        self._order_sections(link, rows)
+        self._leave_out_names(link, {name_of(each) for each in block if each.name == "geom"})
+
+    def _order_sections(self, link: Element, rows: Mapping[str, Sequence[Element]]) -> None:
+        """Put the visual of each geom that is both beside its collision."""
+        visuals, collisions = ([name_of(each) for each in row] for row in rows.values())
+        both = [each for each in visuals if each and each in collisions]
+        if not both or both != [each for each in collisions if each in both]:
+            return
+        queues = {kind: iter(row) for kind, row in rows.items()}
         order: list[Element] = []
-        done: set[int] = set()
-        has_other = False
-        for geom in geoms:
-            own = sorted(named.get(name_of(geom), ()), key=lambda each: each.name != "visual")
-            has_other = has_other or not own
-            if own and (has_other or len(geom.attributes) < 2 or geom.children):
-                return
-            for section in own:
-                if id(section) in done:
-                    return
-                for each in queues[section.name]:
+        for name in both:
+            for queue in queues.values():
+                for each in queue:
                     order.append(each)
-                    done.add(id(each))
-                    if each is section:
+                    if name_of(each) == name:
                         break
-            if own:
-                moved.append((geom, own[-1]))
         for queue in queues.values():
             order += queue
         places = iter(order)
         link.children = [
-            next(places) if isinstance(child, Element) and child.name in sections else child
+            next(places) if isinstance(child, Element) and child.name in rows else child
             for child in link.children
         ]
-        gone = {id(geom) for geom, _ in moved}
-        block[:] = [element for element in block if id(element) not in gone]
-        for geom, section in moved:
-            body = self._of_sections.setdefault(id(section), {}).setdefault(MJCF, _braced())
-            for name, value in values_of(geom).items():
-                if name != "name":
-                    body.add(name, value)
+
+    def _leave_out_names(self, link: Element, used: Collection[str]) -> None:
+        """Leave out the names of sections that MJCF did not give them, unless they are used."""
+        made = {id(each) for each in made_names(link)}
+        for place, child in enumerate(link.children):
+            if isinstance(child, Element) and id(child) in made and name_of(child) not in used:
+                link.children[place] = copy = without_name(child)
+                if id(child) in self._sections:
+                    self._sections[id(copy)] = self._sections[id(child)]
+                if id(child) in self._of_sections:
+                    self._of_sections[id(copy)] = self._of_sections[id(child)]
 
     def _settle_shapes(self, name: str, link: Element) -> None:
         """Move what the block of a link for SDF says of its shapes to these."""
@@ -298,6 +335,25 @@ class Notes:
                 after = [index for index, own in enumerate(body.entries) if own.key in order]
                 at = before[-1] + 1 if before else after[0] if after else len(body.entries)
                 body.entries.insert(at, entry)
+
+    @staticmethod
+    def put_shapes_last(model: Body) -> None:
+        """Put the second visual and collision of each link, and all after it, below the rest."""
+        for body in model.bodies():
+            for entry in body:
+                if entry.key.partition("/")[0] != "link" or not isinstance(entry.value, Body):
+                    continue
+                seen: set[str] = set()
+                first: list[Entry] = []
+                more: list[Entry] = []
+                for own in entry.value:
+                    kind = own.key.partition("/")[0]
+                    is_second = own.key in seen or any(
+                        kind == e.key.partition("/")[0] for e in more
+                    )
+                    (more if kind in SHAPES and is_second else first).append(own)
+                    seen.add(own.key)
+                entry.value.entries = first + more
 
     # --- in joints, links, sections and frames ------------------------------------------------
 
@@ -380,9 +436,10 @@ class Notes:
         if pose is not None:
             body.entries += pose
         elif (frame is not None and frame != values.get("link")) or (
-            frame is not None and self._links[frame].elements()
+            frame is not None and (self._links[frame].elements() or "xyz" in values)
         ):
             body.add("frame", frame)
+            body.entries += self._own_pose(values)
         for field in (*SENSOR.fields.values(), *SENSORS[type].fields.values()):
             value = values.get(field.name)
             if value is None or field.name == "type":
@@ -392,7 +449,18 @@ class Notes:
             elif field.name == "rate":
                 value = f"{value} Hz"
             body.add(field.name, value)
+        words = values.get("noises", "").split()
+        if words:
+            rows = zip(words[::2], words[1::2], strict=True)
+            body.add("noise", _braced(Entry(*row) for row in rows))
         return Entry(self._elements.key("sensor", {"name": name}), body)
+
+    def _own_pose(self, values: Mapping[str, str]) -> list[Entry]:
+        """Return the pose that a sensor has in a frame that is there; zeros for none."""
+        if "xyz" not in values:
+            return []
+        rows = [Entry("xyz", values["xyz"]), Entry("rpy", self._degrees.row(values["rpy"]))]
+        return [row for row in rows if not same_words(str(row.value), ZEROS)] or rows[:1]
 
     # --- sections and statements --------------------------------------------------------------
 

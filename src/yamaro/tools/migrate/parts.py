@@ -505,6 +505,7 @@ class PartWriter:
         if kind is None or has_text(joint):
             raise NoPart
         body = Body(in_braces=True)
+        body.span = joint.span
         body.add("type", kind)
         rest = Body()
         seen: dict[str, Element] = {}
@@ -624,6 +625,7 @@ class PartWriter:
             return self._elements.entry(section, bracketed=True)
         own = plan.sections[id(section)]
         body = Body(in_braces=True)
+        body.span = section.span
         if own is not None and (plan.geometry is None or own.key() != plan.geometry.key()):
             body.entries += own.entries()
         if plan.pose is None:

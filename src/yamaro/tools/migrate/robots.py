@@ -21,7 +21,7 @@ from ...request import Request, read_main
 from ...runtime.files import Library, rules_of
 from ...xml.reader import read_xml
 from ...xml.tree import Element
-from .comparing import compare_notes
+from .comparing import compare_notes, without_made_names
 from .document import Body, Entry, element_key
 from .elements import (
     ElementWriter,
@@ -216,17 +216,20 @@ def migrate_lowered(
     Raises:
         YamaroError: what came out cannot be built, a fault of ours.
     """
-    root = move_files(robot.root, home, builder.folder)
+    whole = move_files(robot.root, home, builder.folder)
+    root = without_made_names(whole)
     notes = [move_files(note, home, builder.folder) for note in robot.notes]
-    own = in_language(root)
+    own = in_language(whole)
     own_notes = [in_language(note) for note in notes]
-    lost = place_comments(document, own, own_notes)
+    left = place_comments(document, own, own_notes)
     plain: set[int] = set()
     ways = iter(WAYS)
     shares, absorbs = next(ways)
     while True:
+        comments = comments_on_classes(document.root, left)
+        on_classes = sum(map(len, comments.values()))
         text, counts = _write(
-            document, own, own_notes, plain, exact=exact, shares=shares, absorbs=absorbs
+            document, own, own_notes, plain, comments, exact=exact, shares=shares, absorbs=absorbs
         )
         try:
             built = builder.build(stem, text, policy)
@@ -240,18 +243,20 @@ def migrate_lowered(
                 raise
             plain |= everything
             continue
-        differences = compare(root, built.root, exact=exact)
-        differences += compare_notes((root, notes), (built.root, built.notes))
+        made = without_made_names(built.root)
+        differences = compare(root, made, exact=exact)
+        differences += compare_notes((root, notes), (made, built.notes))
         if differences and (way := next(ways, None)) is not None:
             shares, absorbs = way
             continue
-        different = different_parts(root, own, built.root, exact=exact) - plain
+        different = different_parts(root, own, made, exact=exact) - plain
         if differences and different:
             plain |= different
             continue
         migration = RobotMigration(text, root, differences)
         migration.allowed = built.allowed
-        migration.counts, migration.lost_comments = counts, lost
+        kept = on_classes - sum(map(len, comments.values()))
+        migration.counts, migration.lost_comments = counts, sum(map(len, left.values())) - kept
         migration.diagnostics = [
             each for each in robot.diagnostics if each.code not in built_codes(built)
         ]
@@ -268,12 +273,16 @@ def _write(
     root: Element,
     notes: Sequence[Element],
     plain: set[int],
+    comments: dict[str, list[str]],
     *,
     exact: bool,
     shares: bool,
     absorbs: bool,
 ) -> tuple[str, dict[str, int]]:
-    """Return a source, and how many notes of some kinds are in it."""
+    """Return a source, and how many notes of some kinds are in it.
+
+    The comments on classes that become functions are taken out.
+    """
     while True:
         known = len(plain)
         variables = Variables(root)
@@ -292,6 +301,7 @@ def _write(
         writer.parts = RobotParts(words, elements, writer.names, variables.material, exact=exact)
         model = writer.body(without=words.absorbed)
         words.put_in_order(model)
+        words.put_shapes_last(model)
         functions = Body()
         if shares and len(plain) == known:
             names = {NO_LIMIT, *(own.key for own in variables.declared)}
@@ -302,7 +312,7 @@ def _write(
                 bodies += [own.value for own in entry.value if isinstance(own.value, Body)]
             readable = {NO_LIMIT, *(own.key for own in variables.declared)}
             classes = classes_of(document.root)
-            functions.entries[:0] = share_entries(bodies, readable, names, classes, naming[0])
+            functions.entries[:0] = share_entries(bodies, readable, names, classes, comments)
         for entry in words.statements():
             model.append(entry)
         sections = Body()
@@ -422,8 +432,23 @@ class RobotParts(PartWriter):
         return self._words.in_frame(link)
 
 
-def classes_of(root: Element) -> dict[str, list[str]]:
-    """Return the classes of joints and geoms in MJCF by kind and name, the outermost first."""
+def comments_on_classes(root: Element, left: Mapping[int, list[str]]) -> dict[str, list[str]]:
+    """Return the comments on each class in MJCF, and on what it says of joints and geoms."""
+    found: dict[str, list[str]] = {}
+    pending = [each for each in root.elements() if each.name == "default"]
+    while pending:
+        defaults = pending.pop(0)
+        inner = [each for each in defaults.elements() if each.name != "default"]
+        pending += [each for each in defaults.elements() if each.name == "default"]
+        comments = [text for each in (defaults, *inner) for text in left.get(each.span.start, ())]
+        name = values_of(defaults).get("class", "")
+        if name and comments:
+            found[name] = comments
+    return found
+
+
+def classes_of(root: Element) -> dict[int, list[str]]:
+    """Return the classes of joints and geoms in MJCF by where each is, the outermost first."""
     paths: dict[str, list[str]] = {}
 
     def note(defaults: Element, path: list[str]) -> None:
@@ -435,26 +460,18 @@ def classes_of(root: Element) -> dict[str, list[str]]:
             if child.name == "default":
                 note(child, path)
 
-    found: dict[str, list[str]] = {}
+    found: dict[int, list[str]] = {}
 
-    def walk(owner: Element, around: str, body: str, geoms: list[int]) -> None:
+    def walk(owner: Element, around: str) -> None:
         around = values_of(owner).get("childclass", around)
         for child in owner.elements():
-            values = values_of(child)
-            path = paths.get(values.get("class", around), [])
-            if child.name == "body":
-                walk(child, around, values.get("name", ""), [0])
-            elif child.name in ("frame", "replicate", "worldbody"):
-                walk(child, around, body, geoms)
-            elif child.name == "joint" and "name" in values:
-                found[f"joint {values['name']}"] = path
-            elif child.name == "geom":
-                geoms[0] += "name" not in values
-                name = values.get("name", f"{body}_geom{geoms[0]}")  # as the reader calls it
-                found[f"visual {name}"] = found[f"collision {name}"] = path
+            if child.name in ("joint", "geom"):
+                found[child.span.start] = paths.get(values_of(child).get("class", around), [])
+            elif child.name in ("body", "frame", "replicate", "worldbody"):
+                walk(child, around)
 
     for child in root.elements():
         if child.name == "default":
             note(child, [])
-    walk(root, "", "", [0])
+    walk(root, "")
     return found

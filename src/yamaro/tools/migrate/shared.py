@@ -6,11 +6,9 @@ to joint: they are its parameters, where all else that joints have is the same.
 
 from __future__ import annotations
 
-import re
 from collections import Counter
-from fnmatch import fnmatchcase
 
-from .document import RECORD_WIDTH, Body, Entry, Row, pieces_of
+from .document import RECORD_WIDTH, Body, Entry, Row, joined, pieces_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -78,8 +76,8 @@ def share_entries(
     bodies: Sequence[Body],
     known: Collection[str],
     taken: set[str],
-    classes: Mapping[str, Sequence[str]],
-    naming: str,
+    classes: Mapping[int, Sequence[str]],
+    comments: dict[str, list[str]],
 ) -> list[Entry]:
     """Let joints and shapes call functions for what they have in common; return the functions.
 
@@ -87,46 +85,39 @@ def share_entries(
         bodies: those of the model and of functions, with the parts in them.
         known: the variables that functions may read.
         taken: the names that functions and variables have; those of the functions are added.
-        classes: the classes of joints and shapes in the source by the name of each.
-        naming: how joints are named after parts, such as `*_joint`.
+        classes: the classes of joints and shapes in the source, by where each is.
+        comments: those on classes, by name; what a function has is taken out.
     """
     functions: list[Entry] = []
     found: dict[str, list[_Holder]] = {kind: [] for kind in PLACES}
     for body in bodies:
-        for kind, name, inner in _holders(body, naming):
-            path = classes.get(f"{kind} {name}", ())
-            if "$(" in name:  # of a limb that comes several times
-                pattern = f"{kind} {re.sub(r'[$][(][^)]*[)]', '*', name)}"
-                alike = [each for each in classes if fnmatchcase(each, pattern)]
-                path = classes[alike[0]] if alike else ()
+        for kind, inner in _holders(body):
+            path = classes.get(inner.span.start, ()) if inner.span is not None else ()
             found[kind].append(_Holder(kind, inner, known, path))
     for kind, holders in found.items():
         while (best := _best(holders)) is not None:
             atoms, members = best
-            functions.append(_function(kind, atoms, members, taken))
+            functions.append(_function(kind, atoms, members, taken, comments))
             holders = [each for each in holders if each not in members]
     return functions
 
 
-def _holders(body: Body, naming: str) -> Iterator[tuple[str, str, Body]]:
-    """Yield the joints and shapes in the parts of a body: the kind, the name, what is in it."""
+def _holders(body: Body) -> Iterator[tuple[str, Body]]:
+    """Yield the joints and shapes in the parts of a body: the kind, and what is in it."""
     for entry in body:
         if entry.key != "part" or not isinstance(entry.value, Body):
             continue
-        names = [own.value for own in entry.value if own.key == "name"]
-        words = str(names[0]).split() if names and names[0] else [""]
-        name = words[0] if len(words) > 1 else naming.replace("*", words[0])
         for own in entry.value:
-            kind, _, rest = own.key.partition("/")
+            kind = own.key.partition("/")[0]
             if not isinstance(own.value, Body):
                 continue
             if kind == "joint":
-                yield kind, rest.removeprefix("name=") or name, own.value
+                yield kind, own.value
             elif kind == "link":
                 for section in own.value:
-                    kind, _, rest = section.key.partition("/")
+                    kind = section.key.partition("/")[0]
                     if kind in ("visual", "collision") and isinstance(section.value, Body):
-                        yield kind, rest.removeprefix("name="), section.value
+                        yield kind, section.value
 
 
 def _is_closed(entry: Entry, known: Collection[str]) -> bool:
@@ -183,9 +174,16 @@ def _best(holders: list[_Holder]) -> tuple[set[Atom], list[_Holder]] | None:
     return chosen, [each for each in holders if atoms <= each.atoms.keys()]
 
 
-def _function(kind: str, atoms: set[Atom], members: list[_Holder], taken: set[str]) -> Entry:
+def _function(
+    kind: str,
+    atoms: set[Atom],
+    members: list[_Holder],
+    taken: set[str],
+    comments: dict[str, list[str]],
+) -> Entry:
     """Return a function for some atoms, and let those that have them call it."""
-    name, number = _name(kind, members), 2
+    of_class = _class(members)
+    name, number = _name(kind, members, of_class), 2
     unique = name
     while unique in taken:
         unique, number = f"{name}{number}", number + 1
@@ -210,7 +208,8 @@ def _function(kind: str, atoms: set[Atom], members: list[_Holder], taken: set[st
     for member in members:
         _call(kind, member.body, unique, atoms, varying)
     parameters = [Entry("input", Row(varying))] if varying else []
-    return Entry(unique, Body([*parameters, Entry("body", inner)]))
+    comment = joined(*comments.pop(of_class, ()))
+    return Entry(unique, Body([*parameters, Entry("body", inner)]), comment)
 
 
 def _bounds(body: Body) -> dict[str, str]:
@@ -256,8 +255,8 @@ def _call(kind: str, body: Body, name: str, atoms: set[Atom], varying: Sequence[
         body.has_call = True
 
 
-def _name(kind: str, members: Sequence[_Holder]) -> str:
-    """Return what a function is called: as the class that most have in common, or by its kind."""
+def _class(members: Sequence[_Holder]) -> str:
+    """Return the innermost class that most have in common, or ""."""
     paths = [member.path for member in members if member.path]
     common = ""
     if paths and 2 * len(paths) > len(members):
@@ -265,7 +264,12 @@ def _name(kind: str, members: Sequence[_Holder]) -> str:
         while all(len(path) > depth and path[depth] == paths[0][depth] for path in paths):
             common = paths[0][depth]
             depth += 1
-    words = [word for word in "".join(c if c.isalnum() else " " for c in common).split() if word]
+    return common
+
+
+def _name(kind: str, members: Sequence[_Holder], of_class: str) -> str:
+    """Return what a function is called: as a class, or by its kind."""
+    words = [word for word in "".join(c if c.isalnum() else " " for c in of_class).split() if word]
     stem = "".join(word[:1].upper() + word[1:] for word in words if word.isascii())
     if not stem[:1].isalpha():
         stem = ""

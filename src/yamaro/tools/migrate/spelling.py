@@ -27,7 +27,9 @@ ANGLES = frozenset(("lower", "upper"))
 """Values that a source may have in degrees."""
 NO_LIMIT = "unlimited"
 """The variable for limits that the source does not have, where URDF wants a number."""
-FILES = ("file", "filename")
+FILES = frozenset(
+    ("file", "filename", *(f"file{side}" for side in "back down front left right up".split()))
+)
 """Attributes that name a file, relative to that in which they are."""
 
 
@@ -111,22 +113,32 @@ def copied(root: Element) -> Element:
 
 
 def move_files(element: Element, home: str, folder: str) -> Element:
-    """Return an element in which the names of files lead from another folder than from `home`."""
-    if os.path.realpath(home) == os.path.realpath(folder):
-        return element
+    """Return an element in which the names of files lead from another folder.
 
-    def move(name: str) -> str:
-        if not name or os.path.isabs(name) or "://" in name or name.startswith("$("):
+    Args:
+        element: the element, whose names lead from the folder of the file that each is written in.
+        home: the folder of a text without a file.
+        folder: from where they are to lead.
+    """
+    folder = os.path.abspath(folder)
+
+    def move(name: str, source: str) -> str:
+        if not name or "://" in name or name.startswith("$("):
             return name
-        whole = os.path.join(home, name)
-        return os.path.relpath(whole, folder).replace(os.sep, "/")
+        whole = os.path.abspath(os.path.join(os.path.dirname(source) if source else home, name))
+        try:
+            return os.path.relpath(whole, folder).replace(os.sep, "/")
+        except ValueError:  # on another drive
+            return whole
 
     def moved(element: Element) -> Element:
         copy = element.with_children(
             [moved(child) if isinstance(child, Element) else child for child in element.children]
         )
         copy.attributes = {
-            name: move(format_value(value)) if name in FILES else value
+            name: move(format_value(value), element.value_span(name).source.path)
+            if name in FILES
+            else value
             for name, value in element.attributes.items()
         }
         return copy
@@ -137,15 +149,16 @@ def move_files(element: Element, home: str, folder: str) -> Element:
 # --- comments ---------------------------------------------------------------------------------
 
 
-def place_comments(document: XmlDocument, root: Element, notes: Iterable[Element]) -> int:
+def place_comments(
+    document: XmlDocument, root: Element, notes: Iterable[Element]
+) -> dict[int, list[str]]:
     """Put the comments of a file beside what is made of the elements that they are about.
 
     Returns:
-        how many comments are about something else.
+        the comments about other elements, by where each element is.
     """
     above: dict[int, list[Comment]] = {}
     beside: dict[int, list[Comment]] = {}
-    total = 0
     pending = [document.root]
     while pending:
         owner = pending.pop()
@@ -154,7 +167,6 @@ def place_comments(document: XmlDocument, root: Element, notes: Iterable[Element
         latest: Element | None = owner
         for child in owner.children:
             if isinstance(child, Comment) and tidy_text(child.text).strip("=- "):
-                total += 1
                 if id(child) in endings and latest is not None:
                     beside.setdefault(latest.span.start, []).append(child)
                 else:
@@ -167,10 +179,9 @@ def place_comments(document: XmlDocument, root: Element, notes: Iterable[Element
                 pending.append(child)
         if waiting:
             above.setdefault(owner.span.start, []).extend(waiting)
-    if not total:
-        return 0
+    if not above and not beside:
+        return {}
     source = document.root.span.source.text
-    placed = 0
     owners = [root, *notes]
     while owners:
         owner = owners.pop(0)
@@ -181,11 +192,13 @@ def place_comments(document: XmlDocument, root: Element, notes: Iterable[Element
                 continue
             start = child.span.start
             first, last = above.pop(start, []), beside.pop(start, [])
-            placed += len(first) + len(last)
             for comment in first:
                 children += [Text("\n", child.span), comment, Text("\n", child.span)]
             children.append(child)
             children += [*last, Text("\n", child.span)] if last else []
             owners.append(child)
         owner.children = children
-    return total - placed
+    left: dict[int, list[str]] = {}
+    for place, comments in (*above.items(), *beside.items()):
+        left.setdefault(place, []).extend(tidy_text(each.text) for each in comments)
+    return left

@@ -49,7 +49,9 @@ def _write_entries(body: Body, margin: str, out: list[str], *, key: str | None =
     keys = [entry.key for entry in entries]
     times = Counter(keys)
     repeated = [key for key in keys if times[key] > 1]
-    is_row = (
+    first = next((at for at, key in enumerate(keys) if key in keys[:at]), len(keys))
+    is_tail = {key.partition("/")[0] for key in (*repeated, *keys[first:])} <= _SHAPES
+    is_row = not is_tail and (
         2 * len(repeated) >= len(keys)
         or any(map(_has_item, repeated))
         or not _OF_MODELS.isdisjoint(keys)
@@ -66,6 +68,8 @@ def _write_entries(body: Body, margin: str, out: list[str], *, key: str | None =
     _write_comment(body.remark, inner, out)
 
 
+_SHAPES = frozenset(("visual", "collision"))
+"""Entries of which all but the first may be items of a list below the others."""
 ACCEPTS = "yamaro: allow"
 """Begins a comment that accepts findings."""
 _OF_MODELS = frozenset(("part", "include", "functions", "variables"))
