@@ -26,7 +26,6 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from .diagnostics import Diagnostic
-    from .files.mesh_files import MeshFinder
     from .model.robot import Robot
     from .policy import Policy
     from .request import Request
@@ -148,7 +147,7 @@ class Run:
         self.is_faulty = False
         reporter = Reporter()
         try:
-            self.root, self.notes = lower(self.root, interpreter, request.finder, reporter)
+            self.root, self.notes = lower(self.root, interpreter, request, reporter)
             self._robot, self._has_files = check(self.root, self.notes, request, reporter)
             self.diagnostics = reporter.diagnostics
         except YamaroError as error:
@@ -378,7 +377,7 @@ def _is_of_robots(word: str) -> bool:
 
 
 def lower(
-    root: Element, interpreter: Interpreter, finder: MeshFinder, reporter: Reporter
+    root: Element, interpreter: Interpreter, request: Request, reporter: Reporter
 ) -> tuple[Element, Sequence[Element]]:
     """Return the tree without parts, in which the names of materials do not clash, and its notes.
 
@@ -386,13 +385,16 @@ def lower(
     """
     notes: Sequence[Element] = ()
     if interpreter.has_parts:
+        from .robot.lowering import Fitter
         from .robot.part import lower as lower_parts
 
+        finder = request.finder
         root, notes = lower_parts(
             root,
             reporter=reporter,
             resolve_mesh=finder.resolve,
             may_read=finder.allows,
+            fitter=Fitter(is_cached=request.options.policy.is_trusted),
         )
     if interpreter.has_blocks:
         from .robot.notes import take_raw_blocks

@@ -326,6 +326,58 @@ class Surface(Noted):
         return tuple([getattr(self, name) for name in SURFACE.fields])
 
 
+class Fitted(Noted):
+    """Shapes of a link that were worked out from a mesh.
+
+    Attributes:
+        link: the name of the link.
+        section: `collision` or `visual`.
+        index: the number of the first of the link's collisions or visuals that it is, from 0.
+        count: how many there are.
+        word: `fit`, `decompose`, `spheres` or `triangles`.
+        kind: with `fit` which shape was asked for, else "".
+        wanted: how many pieces, spheres or triangles were asked for; 0 with `fit`.
+        covers: whether they contain the mesh.
+        distance: the greatest distance between their surface and that of the mesh, in metres.
+        excess: how much more volume they have, as a part of that of the mesh; None if the mesh is
+            not closed.
+        size: the longest side of the box around the mesh, in metres.
+        mesh: the mesh file, as it is written.
+        scale: the factors of the mesh.
+        pose: T_link_mesh.
+    """
+
+    __slots__ = (
+        "count", "covers", "distance", "excess", "index", "kind", "link", "mesh", "pose", "scale",
+        "section", "size", "wanted", "word",
+    )  # fmt: skip
+
+    def __init__(self, element: Element) -> None:
+        super().__init__(element)
+        self.link = self._text("link")
+        self.section = self._text("section")
+        self.index = int(self.number("index") or 0)
+        self.count = int(self.number("count") or 0)
+        self.word = self._text("word")
+        self.kind = self._text("kind")
+        self.wanted = int(self.number("wanted") or 0)
+        self.covers = self._text("cover") == "true"
+        self.distance = float(self.number("distance") or 0.0)
+        self.excess = self.number("excess")
+        self.size = float(self.number("size") or 0.0)
+        self.mesh = self._text("filename")
+        row = numbers_of(element, "scale")
+        self.scale: Vector = (row[0], row[1], row[2]) if len(row) == 3 else (1.0, 1.0, 1.0)
+        x, y, z = numbers_of(element, "xyz") or (0.0, 0.0, 0.0)
+        rpy = numbers_of(element, "rpy") or (0.0, 0.0, 0.0)
+        self.pose = Pose(rotation_from_rpy(*rpy), (x, y, z))
+
+    @property
+    def asked(self) -> str:
+        """Return what was asked for as it is written, such as `fit: capsule`."""
+        return f"{self.word}: {self.kind or self.wanted}"
+
+
 class State(Noted):
     """A named position of some of the robot's joints.
 
@@ -512,7 +564,7 @@ class Extras:
 
     __slots__ = (
         "actuators", "base", "collision_settings", "controller_manager", "controllers", "controls",
-        "groups", "loops", "raw", "sensors", "states", "surfaces",
+        "fits", "groups", "loops", "raw", "sensors", "states", "surfaces",
     )  # fmt: skip
 
     def __init__(self, notes: Sequence[Element] = ()) -> None:
@@ -524,6 +576,7 @@ class Extras:
             "actuator", {each.joint: each for each in actuators}, ["*_joint"]
         )
         self.surfaces = tuple(map(Surface, _of(notes, "surface")))
+        self.fits = tuple(map(Fitted, _of(notes, "fit")))
         self.states: dict[str, State] = ByName("state")
         for note in _of(notes, "state"):
             known = self.states.get(attribute_text(note, "name") or "")

@@ -46,6 +46,7 @@ if TYPE_CHECKING:
         CollisionSettings,
         Control,
         Extras,
+        Fitted,
         Group,
         Loop,
         RawXml,
@@ -331,6 +332,11 @@ class Robot(Written):
         Those of words come first, then those in `<ros2_control>` and in `<transmission>`.
         """
         return self._more().actuators
+
+    @property
+    def fits(self) -> tuple[Fitted, ...]:
+        """Return the shapes that were worked out from meshes, in order."""
+        return self._more().fits
 
     @property
     def surfaces(self) -> tuple[Surface, ...]:

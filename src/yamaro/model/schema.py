@@ -158,6 +158,8 @@ AXES = ("x", "y", "z", "-x", "-y", "-z")
 """The words for an axis."""
 COMMANDS = ("position", "velocity", "effort")
 """The commands of an actuator; of several, the first of these is the usual one."""
+FITS = ("box", "cylinder", "sphere", "capsule", "hull", "best")
+"""The shapes that are fitted to meshes."""
 DEFAULT_SAMPLES, DEFAULT_SEED = 10_000, 1
 """How the pairs of links that never collide are found."""
 
@@ -402,6 +404,22 @@ SURFACE = Thing(
     Field("damping", 1, "contact damping", sign=NOT_NEGATIVE, example="10",
           help="the damping of the contact"),
 )  # fmt: skip
+
+FITTING = Thing(
+    "fitting",
+    Field("fit", TEXT, choices=FITS, example="capsule",
+          help="a shape fitted to the mesh: box, cylinder, sphere or capsule, `best` of these, or "
+          "the convex `hull`"),
+    Field("decompose", 1, sign=WHOLE, example="8",
+          help="the greatest number of convex pieces that make up the mesh"),
+    Field("spheres", 1, sign=WHOLE, example="24",
+          help="the greatest number of spheres that fill the mesh"),
+    Field("cover", TEXT, choices=("true", "false"), default="false",
+          help="whether `fit`, `decompose` or `spheres` have to contain the mesh"),
+    Field("triangles", 1, sign=WHOLE, example="20000",
+          help="of a visual: the greatest number of triangles, with which the mesh is simplified"),
+)  # fmt: skip
+"""What a collision or visual says of a shape that is worked out from its mesh."""
 
 SENSOR = Thing(
     "sensor",

@@ -27,6 +27,10 @@ POSE_KEYS = frozenset((*POSE_ROWS, "origin"))
 SIZE_KEYS = frozenset(("scale", "radius", "length", "size"))
 SHAPE_KEYS = SIZE_KEYS | {"geometry"}
 MASS_KEYS = frozenset(("mass", "density"))
+FIT_KEYS = frozenset(("fit", "decompose", "spheres"))
+"""The keys of a collision that ask for shapes worked out from its mesh."""
+LIGHTER_KEYS = frozenset(("triangles",))
+"""The same of a visual."""
 
 COMMON_ELEMENTS = frozenset(
     (
@@ -118,7 +122,7 @@ LINK = PartPlace(
 )
 VISUAL = PartPlace(
     "visual",
-    keys=POSE_KEYS | SHAPE_KEYS,
+    keys=POSE_KEYS | SHAPE_KEYS | LIGHTER_KEYS,
     ordered=frozenset(("material", "color")),
     stand_ins=frozenset(("origin", "geometry")),
     elements=COMMON_ELEMENTS - {"visual", "collision"},
@@ -126,7 +130,7 @@ VISUAL = PartPlace(
 )
 COLLISION = PartPlace(
     "collision",
-    keys=POSE_KEYS | SHAPE_KEYS,
+    keys=POSE_KEYS | SHAPE_KEYS | FIT_KEYS | {"cover"},
     ordered=frozenset(("material",)),
     stand_ins=frozenset(("origin", "geometry")),
     elements=(COMMON_ELEMENTS - {"visual", "collision"}) | {"surface"},
@@ -162,9 +166,13 @@ PLACES = (PART, JOINT, LINK, VISUAL, COLLISION, INERTIAL)
 _LINK_HINT = "it belongs under 'link:'"
 _JOINT_HINT = "it belongs under 'joint:'"
 _SURFACE_HINT = "it belongs in 'collision:'"
+_OF_SECTIONS = {
+    **dict.fromkeys(("surface", *sorted(FIT_KEYS), "cover"), _SURFACE_HINT),
+    **dict.fromkeys(LIGHTER_KEYS, "it belongs in 'visual:'"),
+}
 HOMES: dict[str, dict[str, str]] = {
     "part": {
-        "surface": _SURFACE_HINT,
+        **_OF_SECTIONS,
         **dict.fromkeys((*sorted(SHAPE_KEYS), "mass", "density"), _LINK_HINT),
         **dict.fromkeys(("visual", "collision", "inertial"), _LINK_HINT),
         **dict.fromkeys(("type", "parent", "child", *sorted(RECORDS)), _JOINT_HINT),
@@ -172,7 +180,7 @@ HOMES: dict[str, dict[str, str]] = {
         "inertia": "it belongs under 'link:', in 'inertial:'",
     },
     "joint": {
-        "surface": _SURFACE_HINT,
+        **_OF_SECTIONS,
         **dict.fromkeys((*sorted(SHAPE_KEYS), "mass", "density"), _LINK_HINT),
         **dict.fromkeys(("visual", "collision", "inertial", "inertia"), _LINK_HINT),
         "name": "write the name beside 'joint:', or as joint/name=…",
@@ -186,7 +194,7 @@ HOMES: dict[str, dict[str, str]] = {
         },
     },
     "link": {
-        "surface": _SURFACE_HINT,
+        **_OF_SECTIONS,
         **dict.fromkeys(("type", "parent", "child", *sorted(RECORDS)), _JOINT_HINT),
         "name": "write the name beside 'link:', or as link/name=…",
         "material": "it belongs in 'visual:'",
@@ -197,7 +205,7 @@ HOMES: dict[str, dict[str, str]] = {
         "link": "a link cannot contain a link",
     },
     "section": {
-        "surface": _SURFACE_HINT,
+        **_OF_SECTIONS,
         **dict.fromkeys(("mass", "density"), "it belongs in 'link:' or in its 'inertial:'"),
         **dict.fromkeys(("type", "parent", "child", *sorted(RECORDS)), _JOINT_HINT),
         **dict.fromkeys(("visual", "collision", "inertial"), "it belongs directly in 'link:'"),

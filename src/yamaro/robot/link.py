@@ -4,7 +4,16 @@ from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure
 from ..xml.tree import Element
-from .fields import COLLISION, INERTIAL, LINK, VISUAL, Fields, sort_fields
+from .fields import (
+    COLLISION,
+    FIT_KEYS,
+    INERTIAL,
+    LIGHTER_KEYS,
+    LINK,
+    VISUAL,
+    Fields,
+    sort_fields,
+)
 from .geometry import LinkGeometry, section_geometry
 from .inertial import LinkMass, lower_inertial
 from .notes import is_surface
@@ -14,6 +23,10 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..xml.tree import Node
     from .lowering import Lowering
+
+
+WORKED_OUT = FIT_KEYS | LIGHTER_KEYS | {"cover"}
+"""The keys with which the shape of a section is not the mesh itself."""
 
 
 class LinkFrame:
@@ -55,13 +68,10 @@ def _lower_common(lowering: Lowering, key: Element) -> Element:
             children.append(child)
             continue
         try:
-            section = _lower_child(lowering, child, fields, frame)
+            children += _lower_child(lowering, child, fields, frame)
         except YamaroError as error:
             lowering.absorb(error)
             is_faulty = True
-            continue
-        if section is not None:
-            children.append(section)
     # A faulty section may be the one that was to use the geometry.
     if not is_faulty:
         _warn_of_unused(lowering, frame.geometry)
@@ -70,8 +80,8 @@ def _lower_common(lowering: Lowering, key: Element) -> Element:
 
 def _lower_child(
     lowering: Lowering, child: Element, fields: Fields, frame: LinkFrame
-) -> Element | None:
-    """Return what a child of a link becomes, or None if it is worked in elsewhere."""
+) -> list[Element]:
+    """Return what a child of a link becomes: nothing if it is worked in elsewhere."""
     match child.name:
         case "collision" | "visual":
             return _lower_section(lowering, child, frame)
@@ -79,11 +89,11 @@ def _lower_child(
             own = sort_fields(lowering, child, INERTIAL)
         case "mass" | "density":
             if "inertial" in fields.keys or child is not frame.mass.key():
-                return None
+                return []
             own = Fields()
         case _:
-            return child
-    return lower_inertial(
+            return [child]
+    inertial = lower_inertial(
         lowering,
         child,
         own,
@@ -91,15 +101,20 @@ def _lower_child(
         link_geometry=frame.geometry,
         link_mass=frame.mass,
     )
+    return [inertial]
 
 
-def _lower_section(lowering: Lowering, key: Element, frame: LinkFrame) -> Element:
-    """Return `<collision>` or `<visual>`: origin, geometry, then the rest as written."""
+def _lower_section(lowering: Lowering, key: Element, frame: LinkFrame) -> list[Element]:
+    """Return `<collision>` or `<visual>`: origin, geometry, then the rest as written.
+
+    There are several if the shape is made of several pieces.
+    """
     fields = sort_fields(lowering, key, VISUAL if key.name == "visual" else COLLISION)
     if fields.has_text:
-        return key
+        return [key]
     pose = compose_poses(frame.pose, read_pose(lowering, fields))
     geometry = fields.plain.get("geometry")
+    shape = None
     if geometry is None:
         shape = section_geometry(lowering, fields, frame.geometry)
         if shape is None:
@@ -111,8 +126,7 @@ def _lower_section(lowering: Lowering, key: Element, frame: LinkFrame) -> Elemen
                 trace=key.trace,
             )
         geometry = shape.element
-    origin = fields.plain.get("origin") or origin_element(pose, key)
-    children: list[Node] = [geometry] if origin is None else [origin, geometry]
+    children: list[Node] = []
     for child in fields.rest:
         if type(child) is Element and child.name == "material" and not child.verbatim:
             from .material import lower_material
@@ -124,7 +138,13 @@ def _lower_section(lowering: Lowering, key: Element, frame: LinkFrame) -> Elemen
             continue  # a note beside the link
         else:
             children.append(child)
-    return key.with_children(children)
+    if not WORKED_OUT.isdisjoint(fields.keys):
+        from .fits import fitted_sections
+
+        return fitted_sections(lowering, key, fields, shape, pose, children)
+    origin = fields.plain.get("origin") or origin_element(pose, key)
+    children = [geometry, *children] if origin is None else [origin, geometry, *children]
+    return [key.with_children(children)]
 
 
 def _material_of_color(lowering: Lowering, key: Element, fields: Fields) -> Element:

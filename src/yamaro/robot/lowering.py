@@ -38,11 +38,37 @@ if TYPE_CHECKING:
     """The trace in which a part was entered, and how many errors and warnings there were."""
 
 
+class Fitter:
+    """What the fitting of shapes to meshes needs of the build.
+
+    Attributes:
+        make_mesh: takes the name and the bytes of an STL that is made, and returns its `filename`.
+        is_cached: whether results are kept on the disk from one run to the next.
+        on_work: is called with what is worked out, before that.
+    """
+
+    __slots__ = ("is_cached", "make_mesh", "on_work")
+
+    def __init__(
+        self,
+        *,
+        make_mesh: Callable[[str, bytes], str] | None = None,
+        is_cached: bool = False,
+        on_work: Callable[[str], None] | None = None,
+    ) -> None:
+        """Hold it; see the class."""
+        self.make_mesh = make_mesh
+        self.is_cached = is_cached
+        self.on_work = on_work
+
+
 class Lowering:
     """One run of `part.lower`.
 
     Attributes:
         has_words: whether there is anything that `finish.py` has to do.
+        fits: what was worked out from the meshes of sections, by the identity of the key, with it.
+        fitter: takes the meshes that are made.
         has_capsule: whether the robot's URDF version knows capsules.
         moments: the volume integrals of the mesh files read so far, by path.
         near_keys: what a key in a place was found to be a misspelling of.
@@ -74,6 +100,8 @@ class Lowering:
         "colors",
         "controls",
         "errors",
+        "fits",
+        "fitter",
         "has_capsule",
         "has_words",
         "inertias",
@@ -106,8 +134,11 @@ class Lowering:
         *,
         may_read: Callable[[str], bool] | None,
         has_capsule: bool,
+        fitter: Fitter | None = None,
     ) -> None:
         """Start a run with nothing found."""
+        self.fitter = fitter or Fitter()
+        self.fits: dict[int, tuple[Element, RobotNote]] = {}
         self.reporter = reporter
         self.resolve_mesh = resolve_mesh
         self.may_read = may_read

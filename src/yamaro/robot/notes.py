@@ -101,15 +101,22 @@ def is_surface(node: Node) -> bool:
     return type(node) is Element and node.name == SURFACE and not node.verbatim
 
 
-def surfaces_in(link: Element) -> list[tuple[Element, int]]:
-    """Return the surfaces in the collisions of a `link` key, each with the collision's number."""
+def surfaces_in(
+    link: Element, fits: dict[int, tuple[Element, RobotNote]]
+) -> list[tuple[Element, int]]:
+    """Return the surfaces in the collisions of a `link` key, each with the collision's number.
+
+    One in a collision that is made of several pieces counts for each of them.
+    """
     found: list[tuple[Element, int]] = []
-    number = -1
+    number = 0
     for child in link.children:
         if type(child) is Element and child.name == "collision":
-            number += 1
+            count = int(str(fits[id(child)][1].attributes["count"])) if id(child) in fits else 1
             if not child.verbatim:
-                found += [(node, number) for node in child.elements() if is_surface(node)]
+                surfaces = [node for node in child.elements() if is_surface(node)]
+                found += [(node, number + each) for node in surfaces for each in range(count)]
+            number += count
     return found
 
 

@@ -39,6 +39,7 @@ if TYPE_CHECKING:
     from ..diagnostics import Frame, Reporter
     from ..source import Span
     from ..xml.tree import Node
+    from .lowering import Fitter
 
 CAPSULE_VERSION = (1, 1)
 ROOT_LINK = "root_link"
@@ -52,6 +53,7 @@ def lower(
     reporter: Reporter,
     resolve_mesh: Callable[[str, Span], str | None],
     may_read: Callable[[str], bool] | None = None,
+    fitter: Fitter | None = None,
 ) -> tuple[Element, Sequence[Element]]:
     """Return the tree with every part replaced by its joint, its link and what is beside them.
 
@@ -65,6 +67,7 @@ def lower(
         resolve_mesh: gives the absolute path of a mesh file named at a span, or None if there is
             none; asked only when inertia is computed from the mesh.
         may_read: decides whether a file may be read that a mesh names; None allows all.
+        fitter: takes the meshes that are made, and keeps what is worked out from meshes.
 
     Raises:
         YamaroError: holds every error found.
@@ -89,6 +92,7 @@ def lower(
         resolve_mesh,
         may_read=may_read,
         has_capsule=_has_capsule(root),
+        fitter=fitter,
     )
     robot = _rebuilt(lowering, root, places, is_root=True)
     settle(reporter.diagnostics, None)
@@ -296,7 +300,11 @@ def _lower_each(lowering: Lowering, part: Element, out: list[Node]) -> None:
             if words:
                 lowering.has_words = True
                 lower_link_words(lowering, words, lowered, beside)
-            surfaces = surfaces_in(link)
+            if lowering.fits:
+                from .fits import note_fits
+
+                note_fits(lowering, link, names.link, beside)
+            surfaces = surfaces_in(link, lowering.fits)
             if surfaces:
                 lowering.has_words = True
                 from .extras import lower_surfaces

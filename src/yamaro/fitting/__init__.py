@@ -1,0 +1,1 @@
+"""Shapes worked out from meshes: primitives, convex pieces, spheres, lighter meshes."""

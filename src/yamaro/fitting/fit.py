@@ -1,0 +1,272 @@
+"""A shape that is worked out from a mesh: what is asked for, the result, and how it is kept.
+
+What is worked out depends on the content of the mesh and on what is asked for, on nothing else: so
+the cache can keep it from one run to the next.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ..meshes.encoding import stl_of
+from ..meshes.formats import MeshFileError, MissingLibraryError
+from ..meshes.triangles import TriangleMesh, read_mesh, read_stl
+from ..model.shapes import SIMPLE_SHAPES
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from ..meshes.cache import MeshCache
+    from ..model.pose import Vector
+    from ..model.shapes import SimpleShape
+
+FIT, DECOMPOSE, SPHERES, TRIANGLES = "fit", "decompose", "spheres", "triangles"
+"""The words by which a shape is asked for."""
+BEST, HULL = "best", "hull"
+LARGEST_COORDINATE = 1e6
+"""In metres: a mesh that reaches farther has no size that makes sense."""
+_VERSION = 1
+"""Changes where the same question gets another answer."""
+
+
+class Wanted:
+    """What is asked for.
+
+    Attributes:
+        word: FIT, DECOMPOSE, SPHERES or TRIANGLES.
+        kind: with FIT one of `FITS` of the schema, else "".
+        count: the greatest number of pieces, spheres or triangles; 0 with FIT.
+        covers: whether it has to contain the mesh.
+    """
+
+    __slots__ = ("count", "covers", "kind", "word")
+
+    def __init__(self, word: str, *, kind: str = "", count: int = 0, covers: bool = False) -> None:
+        """Ask for a shape; see the class."""
+        self.word = word
+        self.kind = kind
+        self.count = count
+        self.covers = covers
+
+    def __str__(self) -> str:
+        """Return it as it is written in YAML."""
+        return f"{self.word}: {self.kind or self.count}{', cover: true' if self.covers else ''}"
+
+
+class Placed:
+    """A simple shape where it is in the frame of the mesh.
+
+    Attributes:
+        shape: the shape.
+        xyz: its middle, in metres.
+        rpy: its rotation, in radians.
+    """
+
+    __slots__ = ("rpy", "shape", "xyz")
+
+    def __init__(self, shape: SimpleShape, xyz: Vector, rpy: Vector) -> None:
+        """Place a shape."""
+        self.shape = shape
+        self.xyz = xyz
+        self.rpy = rpy
+
+
+class Fit:
+    """What was worked out.
+
+    Attributes:
+        pieces: simple shapes, and meshes, each as the bytes of an STL in metres.
+        distance: the greatest distance between the surface of the mesh and that of the pieces
+            together, both ways, in metres.
+        excess: how much more volume the pieces together have, as a part of the mesh's volume; None
+            for a mesh that is not closed.
+        size: the longest side of the box around the mesh, in metres.
+    """
+
+    __slots__ = ("distance", "excess", "pieces", "size")
+
+    def __init__(
+        self,
+        pieces: tuple[Placed | bytes, ...],
+        *,
+        distance: float,
+        excess: float | None,
+        size: float,
+    ) -> None:
+        """Hold a result; see the class."""
+        self.pieces = pieces
+        self.distance = distance
+        self.excess = excess
+        self.size = size
+
+
+def work_out(
+    path: str,
+    scale: tuple[float, ...],
+    wanted: Wanted,
+    *,
+    allows: Callable[[str], bool] | None = None,
+    cache: MeshCache | None = None,
+) -> Fit:
+    """Return a shape for the mesh in a file.
+
+    Args:
+        path: the file.
+        scale: factors along the axes of the mesh.
+        wanted: what is asked for.
+        allows: whether another file that this one names may be read; None allows all.
+        cache: keeps results from one run to the next.
+
+    Raises:
+        MeshFileError: the file cannot be read, or has no surface that a shape fits.
+        MissingLibraryError: a library is not installed.
+    """
+    key = _key(path, scale, wanted) if cache is not None else None
+    if cache is not None and key is not None:
+        known = cache.get(key)
+        if known is not None:
+            try:
+                return unpacked(known)
+            except (ValueError, KeyError, IndexError):
+                pass  # another version wrote it
+    fit = fitted(_scaled(read_mesh(path, allows), scale), wanted)
+    if cache is not None and key is not None:
+        cache.put(key, packed(fit))
+    return fit
+
+
+def _key(path: str, scale: tuple[float, ...], wanted: Wanted) -> bytes | None:
+    from ..files.regular import read_start
+    from ..meshes.cache import key_of
+    from ..meshes.formats import LARGEST_FILE, mesh_format
+
+    try:
+        data = read_start(path, LARGEST_FILE + 1)
+    except OSError:
+        return None
+    work = f"shape {_VERSION} of scale {' '.join(map(repr, scale))}; {wanted}"
+    return key_of(work, data, mesh_format(data) or "", path)
+
+
+def _scaled(mesh: TriangleMesh, scale: tuple[float, ...]) -> TriangleMesh:
+    x, y, z = scale
+    triangles = mesh.triangles
+    if x * y * z < 0:  # a reflection, which turns the inside out
+        triangles = [(i, k, j) for i, j, k in triangles]
+    vertices = [(a * x, b * y, c * z) for a, b, c in mesh.vertices]
+    return TriangleMesh(vertices, triangles)
+
+
+def fitted(mesh: TriangleMesh, wanted: Wanted) -> Fit:
+    """Return a shape for a mesh.
+
+    Raises:
+        MeshFileError: it has no surface that a shape fits.
+        MissingLibraryError: a library is not installed.
+    """
+    try:
+        import numpy  # noqa: F401 - all that is worked out needs it
+    except ImportError as error:
+        raise MissingLibraryError(error.name or str(error)) from error
+    from .quality import quality_of
+
+    size = _size(mesh)
+    pieces: list[Placed | TriangleMesh]
+    match wanted.word:
+        case "fit" if wanted.kind == HULL:
+            from .pieces import hull_of  # type: ignore[import-not-found]
+
+            pieces = [hull_of(mesh)]
+        case "fit":
+            from .primitives import primitive_of
+
+            pieces = [primitive_of(mesh, wanted.kind, covers=wanted.covers)]
+        case "decompose":
+            from .pieces import decompose
+
+            pieces = [*decompose(mesh, wanted.count)]
+        case "spheres":
+            from ..model.shapes import Sphere
+            from .spheres import spheres_of  # type: ignore[import-not-found]
+
+            found = spheres_of(mesh, wanted.count, cover=wanted.covers)
+            pieces = [Placed(Sphere(radius), xyz, (0.0, 0.0, 0.0)) for xyz, radius in found]
+        case "triangles":
+            from .lighter import lighter  # type: ignore[import-not-found]
+
+            pieces = [lighter(mesh, wanted.count)]
+        case _:
+            raise AssertionError(wanted.word)
+    distance, excess = quality_of(mesh, pieces)
+    return Fit(
+        tuple([stl_of(each) if isinstance(each, TriangleMesh) else each for each in pieces]),
+        distance=distance,
+        excess=excess,
+        size=size,
+    )
+
+
+def _size(mesh: TriangleMesh) -> float:
+    """Return the longest side of the box around a mesh.
+
+    Raises:
+        MeshFileError: it is a point, or not of this world.
+    """
+    used = {index for triangle in mesh.triangles for index in triangle}
+    corners = [mesh.vertices[index] for index in used]
+    spans = [(min(axis), max(axis)) for axis in zip(*corners, strict=True)]
+    size: float = max(high - low for low, high in spans)
+    if not size > 0:
+        raise MeshFileError("all its corners are at one point")
+    if not max(max(-low, high) for low, high in spans) <= LARGEST_COORDINATE:
+        raise MeshFileError(
+            f"it reaches farther than {LARGEST_COORDINATE / 1000:g} km; in other units than metres "
+            "it needs its 'scale'"
+        )
+    return size
+
+
+# --- as bytes -----------------------------------------------------------------------------------
+
+
+_SHAPE, _MESH = b"s", b"m"
+
+
+def packed(fit: Fit) -> bytes:
+    """Return a result as bytes."""
+    from ..sandbox.jail.protocol import pack
+
+    excess = "" if fit.excess is None else repr(fit.excess)
+    parts = [f"{fit.distance!r} {fit.size!r} {excess}".encode()]
+    for piece in fit.pieces:
+        if isinstance(piece, bytes):
+            parts.append(_MESH + piece)
+        else:
+            numbers = (*piece.shape.size, *piece.xyz, *piece.rpy)
+            parts.append(_SHAPE + f"{piece.shape.kind} {' '.join(map(repr, numbers))}".encode())
+    return pack(parts)
+
+
+def unpacked(data: bytes) -> Fit:
+    """Return the result that some bytes hold.
+
+    Raises:
+        ValueError: they hold none; so do KeyError and IndexError.
+    """
+    from ..sandbox.jail.protocol import unpack
+
+    head, *parts = unpack(data)
+    distance, size, *excess = map(float, head.split())
+    pieces: list[Placed | bytes] = []
+    for part in parts:
+        if part[:1] == _MESH:
+            read_stl(part[1:])
+            pieces.append(part[1:])
+            continue
+        kind, *words = part[1:].decode("ascii").split()
+        numbers = [*map(float, words)]
+        a, b, c, d, e, f = numbers[-6:]
+        pieces.append(Placed(SIMPLE_SHAPES[kind](*numbers[:-6]), (a, b, c), (d, e, f)))
+    if not pieces:
+        raise ValueError("there are no pieces")
+    return Fit(tuple(pieces), distance=distance, excess=excess[0] if excess else None, size=size)

@@ -1,0 +1,252 @@
+"""How good a shape is that was worked out from a mesh: distances and volumes.
+
+The distance is that of Hausdorff between the surface of the mesh and that of all pieces together:
+the greatest one from a point of either to the nearest point of the other. The points are spread
+evenly over both surfaces, and the corners of the mesh are among them.
+"""
+
+from __future__ import annotations
+
+from math import pi
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..meshes.triangles import TriangleMesh, is_closed
+from ..model.inertia import solid_moments
+from ..model.pose import rotation_from_rpy
+from .primitives import Guess, distances
+from .sampling import arrays_of, spread_over
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from .fit import Placed
+    from .sampling import Floats, Whole
+
+SAMPLES = 4000
+"""Points on the mesh, and as many on the pieces."""
+NEAREST = 8
+"""Triangles that are looked at around a point."""
+MOST_CORNERS = 20_000
+"""Corners of the mesh that are looked at."""
+CELLS = 48
+"""Points along the longest side of the box in which the volume of overlapping pieces is counted."""
+CONVEX = 1e-6
+"""How far a corner of a convex mesh may be above one of its planes, as a part of its size."""
+DIGITS = 6
+
+
+def quality_of(
+    mesh: TriangleMesh, pieces: Sequence[Placed | TriangleMesh]
+) -> tuple[float, float | None]:
+    """Return the greatest distance in metres, and the excess of volume as a part of the mesh's.
+
+    There is no excess where the mesh is not closed.
+    """
+    points, triangles = arrays_of(mesh)
+    own = _Surface(points, triangles)
+    pairs = [_Piece(piece) for piece in pieces]
+    step = max(1, len(points) // MOST_CORNERS)
+    looked_at = np.concatenate([own.samples, points[::step]])
+    inner = np.full(len(looked_at), np.inf)
+    for piece in pairs:
+        inner = np.minimum(inner, piece.distances(looked_at))
+    farthest = float(abs(inner).max())
+    for index, piece in enumerate(pairs):
+        outer = piece.samples(max(200, SAMPLES // len(pairs)))
+        for number, other in enumerate(pairs):
+            if number != index and len(outer):  # what is inside of another piece does not count
+                outer = outer[other.distances(outer) > -1e-9]
+        if len(outer):
+            farthest = max(farthest, float(own.distances(outer).max()))
+    return float(f"{farthest:.{DIGITS}g}"), _excess(mesh, pairs)
+
+
+def _excess(mesh: TriangleMesh, pieces: Sequence[_Piece]) -> float | None:
+    if not is_closed(mesh):
+        return None
+    inside = abs(solid_moments(mesh).volume)
+    low, high = zip(
+        *[(min(axis), max(axis)) for axis in zip(*mesh.vertices, strict=True)], strict=True
+    )
+    size = max(b - a for a, b in zip(low, high, strict=True))
+    if inside <= 1e-9 * size**3:
+        return None
+    volume = pieces[0].volume() if len(pieces) == 1 else _volume_together(pieces)
+    return round(volume / inside - 1, DIGITS) + 0.0
+
+
+def _volume_together(pieces: Sequence[_Piece]) -> float:
+    """Return the volume of pieces that may overlap, by points of a grid that are in any of them."""
+    bounds = [piece.bounds() for piece in pieces]
+    low = np.min([each[0] for each in bounds], axis=0)
+    high = np.max([each[1] for each in bounds], axis=0)
+    cell = float((high - low).max()) / CELLS
+    axes = [np.arange(a + cell / 2, b, cell) for a, b in zip(low, high, strict=True)]
+    grid = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
+    is_in = np.zeros(len(grid), bool)
+    for piece, (least, most) in zip(pieces, bounds, strict=True):
+        near = ~is_in & (grid >= least).all(axis=1) & (grid <= most).all(axis=1)
+        is_in[near] = piece.distances(grid[near]) <= 0
+    return float(is_in.sum()) * cell**3
+
+
+class _Surface:
+    """The surface of triangles.
+
+    Attributes:
+        samples: points spread over it.
+    """
+
+    __slots__ = ("_found_in", "_points", "_points_in", "_triangles", "samples")
+
+    def __init__(self, points: Floats, triangles: Whole) -> None:
+        self._points = points
+        self._triangles = triangles
+        samples, found_in = spread_over(points, triangles, SAMPLES)
+        middles = points[triangles].mean(axis=1)
+        step = max(1, len(middles) // SAMPLES)
+        self.samples = samples
+        self._found_in = np.concatenate([found_in, np.arange(0, len(middles), step)])
+        self._points_in = np.concatenate([samples, middles[::step]])
+
+    def distances(self, points: Floats) -> Floats:
+        """Return the distances of points to the triangles near them."""
+        found = []
+        for start in range(0, len(points), 256):
+            some = points[start : start + 256]
+            apart = ((some[:, None, :] - self._points_in[None, :, :]) ** 2).sum(axis=2)
+            count = min(NEAREST, apart.shape[1])
+            nearest = np.argpartition(apart, count - 1, axis=1)[:, :count]
+            chosen = self._triangles[self._found_in[nearest]]
+            corners = self._points[chosen]
+            found.append(_to_triangles(some[:, None, :], corners).min(axis=1))
+        return np.concatenate(found)
+
+
+def _to_triangles(points: Floats, corners: Floats) -> Floats:
+    """Return the distances of points, …×3, to triangles, …×3×3.
+
+    Source: C. Ericson, Real-Time Collision Detection, 5.1.5: the nearest point is in the triangle,
+    or on one of its edges.
+    """
+    a, b, c = corners[..., 0, :], corners[..., 1, :], corners[..., 2, :]
+    normal = np.cross(b - a, c - a)
+    length = np.sqrt((normal * normal).sum(axis=-1))
+    safe = np.where(length > 0, length, 1.0)
+    height = ((points - a) * normal).sum(axis=-1) / safe
+    is_over = length > 0
+    nearest = np.full(height.shape, np.inf)
+    for one, two in ((a, b), (b, c), (c, a)):
+        side = two - one
+        inward = (np.cross(normal, side) * (points - one)).sum(axis=-1)
+        is_over &= inward >= 0
+        square = (side * side).sum(axis=-1)
+        along = ((points - one) * side).sum(axis=-1) / np.where(square > 0, square, 1.0)
+        off = points - one - np.clip(along, 0, 1)[..., None] * side
+        nearest = np.minimum(nearest, np.sqrt((off * off).sum(axis=-1)))
+    return np.where(is_over, abs(height), nearest)
+
+
+class _Piece:
+    """A piece as a surface with an inside; a mesh has one if it is convex."""
+
+    __slots__ = ("_guess", "_inside", "_piece", "_surface")
+
+    def __init__(self, piece: Placed | TriangleMesh) -> None:
+        self._piece = piece
+        self._surface: _Surface | None = None
+        self._inside: tuple[Floats, Floats] | None = None
+        if isinstance(piece, TriangleMesh):
+            points, triangles = arrays_of(piece)
+            self._surface = _Surface(points, triangles)
+            self._inside = _planes(points, triangles)
+            return
+        sizes = np.array(piece.shape.size)
+        halves = sizes / 2 if piece.shape.kind == "box" else sizes / [1, 2][: len(sizes)]
+        rotation = np.array(rotation_from_rpy(*piece.rpy))
+        self._guess = Guess(np.array(piece.xyz), rotation, halves)
+
+    def distances(self, points: Floats) -> Floats:
+        """Return the signed distances of points to the surface, negative inside of it."""
+        if not isinstance(self._piece, TriangleMesh):
+            return distances(self._piece.shape.kind, self._guess, points)
+        assert self._surface is not None
+        if self._inside is None:
+            return self._surface.distances(points)
+        normals, heights = self._inside
+        depth = np.empty(len(points))
+        for start in range(0, len(points), 1024):
+            some = points[start : start + 1024]
+            depth[start : start + 1024] = (some @ normals.T - heights).max(axis=1)
+        is_outside = depth > 0
+        if is_outside.any():
+            depth[is_outside] = self._surface.distances(points[is_outside])
+        return depth
+
+    def samples(self, count: int) -> Floats:
+        """Return points spread over the surface."""
+        if self._surface is not None:
+            return self._surface.samples[:: max(1, SAMPLES // count)]
+        assert not isinstance(self._piece, TriangleMesh)
+        local = _spread_over_shape(self._piece.shape.kind, self._guess.halves, count)
+        found: Floats = local @ self._guess.rotation.T + self._guess.center
+        return found
+
+    def volume(self) -> float:
+        """Return the volume in m³."""
+        if isinstance(self._piece, TriangleMesh):
+            return abs(solid_moments(self._piece).volume)
+        return self._piece.shape.volume()
+
+    def bounds(self) -> tuple[Floats, Floats]:
+        """Return two corners of a box around it."""
+        if isinstance(self._piece, TriangleMesh):
+            points = np.array(self._piece.vertices)
+            return points.min(axis=0), points.max(axis=0)
+        around = self._piece.shape.radius_around()
+        return self._guess.center - around, self._guess.center + around
+
+
+def _planes(points: Floats, triangles: Whole) -> tuple[Floats, Floats] | None:
+    """Return normals and heights of the planes of a convex mesh; None for another one."""
+    corners = points[triangles]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    lengths = np.sqrt((normals * normals).sum(axis=1))
+    has_area = lengths > 0
+    normals = normals[has_area] / lengths[has_area, None]
+    heights = (normals * corners[has_area, 0]).sum(axis=1)
+    size = float((points.max(axis=0) - points.min(axis=0)).max())
+    for start in range(0, len(points), 1024):
+        above = (points[start : start + 1024] @ normals.T - heights).max()
+        if above > CONVEX * size:
+            return None
+    return normals, heights
+
+
+def _spread_over_shape(kind: str, halves: Floats, count: int) -> Floats:
+    """Return points spread over the surface of a shape at the origin."""
+    if kind == "box":
+        corners = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]) * halves
+        sides = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+        triangles = np.array([each for a, b, c, d in sides for each in ((a, b, c), (a, c, d))])
+        return np.concatenate([corners, spread_over(corners, triangles, count)[0]])
+    steps = np.arange(count) + 0.5
+    turn = np.arange(count) * (pi * (3 - 5**0.5))
+    circle = np.stack([np.cos(turn), np.sin(turn)], axis=1)
+    radius = float(halves[0])
+    if kind == "cylinder":
+        half = float(halves[1])
+        side = np.column_stack([circle * radius, (steps / count * 2 - 1) * half])
+        disc = circle * (radius * np.sqrt(steps / (count - 0.5)))[:, None]
+        ends = [np.column_stack([disc, np.full(count, end)]) for end in (half, -half)]
+        return np.concatenate([side, *ends])
+    z = 1 - 2 * steps / count
+    ball = np.column_stack([circle * np.sqrt(1 - z * z)[:, None], z]) * radius
+    if kind == "sphere":
+        return ball
+    half = float(halves[1])
+    ball[:, 2] += np.where(z >= 0, half, -half)
+    side = np.column_stack([circle * radius, (steps / count * 2 - 1) * half])
+    return np.concatenate([ball, side])
