@@ -76,6 +76,8 @@ def judged(
         text = build.xml()
     except yamaro.YamaroError as error:
         first = next(each for each in error.diagnostics if each.severity == "error")
+        if first.code == "sdf-model":
+            return "not a robot", first.message, reported
         try:
             Loaded(path, None, [path.parent, path.parent.parent], has_shapes=False)
         except RefusedError as refused:

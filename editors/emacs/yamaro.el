@@ -15,7 +15,14 @@
     (and (string-match-p "\\.ya?ml\\'" name) (not (string-match-p "\\.test\\.ya?ml\\'" name))
          (looking-at yamaro-begin))))
 (add-to-list 'magic-mode-alist '(yamaro-is-robot . yamaro-mode))
-(add-to-list 'eglot-server-programs '(yamaro-mode . ("yamaro" "lsp")))
+(add-to-list 'auto-mode-alist '("\\.\\(urdf\\|xacro\\|sdf\\|world\\|mjcf\\)\\'" . nxml-mode))
+(add-to-list 'eglot-server-programs '((yamaro-mode nxml-mode) . ("yamaro" "lsp")))
 (add-hook 'yamaro-mode-hook #'eglot-ensure)
+(defconst yamaro-xml "<\\(robot\\|mujoco\\|sdf\\)[ \t\n>]")
+(defun yamaro-ensure-xml ()
+  "Start the server in an XML file that holds a robot."
+  (when (save-excursion (goto-char (point-min)) (re-search-forward yamaro-xml 20000 t))
+    (eglot-ensure)))
+(add-hook 'nxml-mode-hook #'yamaro-ensure-xml)
 (provide 'yamaro)
 ;;; yamaro.el ends here

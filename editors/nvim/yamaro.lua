@@ -1,5 +1,6 @@
 -- Neovim 0.11 and newer: put this file into ~/.config/nvim/plugin/.
 vim.filetype.add({
+  extension = { urdf = 'xml', xacro = 'xml', sdf = 'xml', mjcf = 'xml' },
   pattern = {
     ['.*%.urdf%.ya?ml'] = 'yamaro',
     ['.*%.yamaro%.ya?ml'] = 'yamaro',
@@ -21,5 +22,5 @@ vim.filetype.add({
 vim.treesitter.language.register('yaml', 'yamaro')
 vim.env.NoDefaultCurrentDirectoryInExePath = '1' -- Windows would start a yamaro.exe of the working directory
 local yamaro = vim.fn.exepath('yamaro')
-vim.lsp.config('yamaro', { cmd = { yamaro ~= '' and yamaro or 'yamaro', 'lsp' }, filetypes = { 'yamaro' }, root_markers = { '.git' } })
+vim.lsp.config('yamaro', { cmd = { yamaro ~= '' and yamaro or 'yamaro', 'lsp' }, filetypes = { 'yamaro', 'xml' }, root_markers = { '.git' } })
 vim.lsp.enable('yamaro')

@@ -354,3 +354,48 @@ def test_the_tools_of_the_viewer_work_without_a_server(page: Playground) -> None
     page.wait_for(f"{element}('picture-image').naturalWidth > 600")
     page.run(f"{element}('picture-close').click()")
     assert page.run(f"{element}('drag').ariaPressed") == "true"
+
+
+MJCF = """<mujoco model="pendulum">
+  <worldbody>
+    <body name="base">
+      <geom name="block" type="box" size="0.1 0.1 0.1"/>
+      <body name="rod" pos="0 0 0.2">
+        <joint name="swing" axis="0 1 0" range="-60 60"/>
+        <geom type="capsule" size="0.02" fromto="0 0 0 0 0 0.5"/>
+      </body>
+    </body>
+  </worldbody>
+</mujoco>
+"""
+
+
+def test_mjcf_that_is_pasted_is_shown_with_its_lines(page: Playground) -> None:
+    page.start("?example=arm")
+    page.write(MJCF)
+    page.wait_for("Object.keys(playground.editor.texts()).some(name => name.endsWith('.xml'))")
+    page.wait_for("playground.isReady && playground.diagnostics.every(d => d.severity !== 'error')")
+    page.wait_for("viewer.contentWindow.yamaro?.robot?.name === 'pendulum'")
+    page.write(MJCF.replace('type="box"', 'type="bos"'))
+    page.wait_for("playground.diagnostics.some(d => d.code === 'bad-mjcf')")
+    told = page.run("playground.diagnostics.find(d => d.code === 'bad-mjcf')")
+    assert MJCF[: told["from"]].count("\n") == 3
+
+
+def test_files_that_are_dropped_are_opened(page: Playground) -> None:
+    """The robot is the file that no other one names."""
+    page.start("?example=arm")
+    assets = '<mujoco><asset><material name="red" rgba="1 0 0 1"/></asset></mujoco>'
+    files = {
+        "assets.xml": assets,
+        "main.xml": MJCF.replace("<worldbody>", '<include file="assets.xml"/><worldbody>', 1),
+    }
+    before = page.run("playground.built")
+    page.run(
+        f"const given = new DataTransfer(); const files = {json.dumps(files)};"
+        " for (const name in files) given.items.add(new File([files[name]], name));"
+        " document.body.dispatchEvent(new DragEvent('drop', {dataTransfer: given, bubbles: true}))"
+    )
+    page.wait_for(f"playground.built > {before} && playground.isReady")
+    assert page.run("playground.editor.active") == "main.xml"
+    page.wait_for("viewer.contentWindow.yamaro?.robot?.name === 'pendulum'")

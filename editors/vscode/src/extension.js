@@ -78,12 +78,12 @@ function clientOf(program) {
       documentSelector: [
         { scheme: "file", language: "yamaro" },
         { scheme: "untitled", language: "yamaro" },
-        { scheme: "file", pattern: "**/*.{xacro,urdf}" },
+        { scheme: "file", pattern: "**/*.{xacro,urdf,sdf,world,mjcf,xml}" }, // the server leaves other XML alone
       ],
       initializationOptions: options(),
       outputChannel: output,
       synchronize: {
-        fileEvents: vscode.workspace.createFileSystemWatcher("**/*.{yaml,yml,xacro,urdf,py,stl,obj,dae}"),
+        fileEvents: vscode.workspace.createFileSystemWatcher("**/*.{yaml,yml,xacro,urdf,sdf,world,mjcf,xml,py,stl,obj,dae}"),
       },
     },
   );

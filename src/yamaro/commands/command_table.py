@@ -90,7 +90,7 @@ BUILD = "build"
 """The command that has no name on the command line: `yamaro FILE`."""
 
 FILE_WORDS = (
-    ("FILE", "a YAML file, a URDF (.urdf, .xml) or a xacro file (.xacro); - for YAML from a pipe"),
+    ("FILE", "a robot in YAML, URDF, xacro, MJCF or SDF; - for YAML from a pipe"),
     (
         "name:=value",
         "set a variable, n:=3, sides:=[left, right], or an argument of xacro",

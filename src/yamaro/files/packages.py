@@ -275,11 +275,11 @@ class PackageFinder:
                 folder = os.path.join(path, name)
                 if os.path.isdir(folder):
                     return folder
-        for level, around in enumerate(_ancestors(base_dir)):
+        for around in _ancestors(base_dir):
             if os.path.basename(around) == name:
                 return around
             folder = os.path.join(around, name)
-            if level and os.path.isfile(os.path.join(folder, MODEL_MANIFEST)):
+            if os.path.isfile(os.path.join(folder, MODEL_MANIFEST)):
                 return folder
         return None
 

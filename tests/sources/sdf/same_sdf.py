@@ -229,8 +229,9 @@ class Same:
             if set(mine) != set(theirs):
                 lost, new = sorted(set(mine) - set(theirs)), sorted(set(theirs) - set(mine))
                 self.faults.append(f"{what}: -{lost[:4]} +{new[:4]}")
-        for name in self.of_world:
-            one.frames.pop(name, None)
+        for name in list(one.frames):  # those of the world are in the models of their links
+            if name.rpartition("_")[2] in self.of_world or name in self.of_world:
+                del one.frames[name]
         if set(one.frames) - set(other.frames):
             self.faults.append(f"frames: -{sorted(set(one.frames) - set(other.frames))[:4]}")
         if self.faults:
@@ -390,9 +391,11 @@ def _like(child: etree._Element, around: etree._Element) -> etree._Element | Non
         tag = "{*}" + _plain(tag)
     if tag == "plugin":
         for each in around.iterchildren(tag):
-            if sorted("".join(each.itertext("*")).split()) == sorted(
-                "".join(child.itertext("*")).split()
-            ) and dict(each.attrib) == dict(child.attrib):
+            one, other = (
+                [(_plain(e.tag), (e.text or "").split()) for e in tree.iter("*")]
+                for tree in (each, child)
+            )
+            if sorted(one) == sorted(other) and dict(each.attrib) == dict(child.attrib):
                 return each
     for each in around.iterchildren(tag):
         if each.get("name") == child.get("name") or not child.get("name"):

@@ -99,6 +99,16 @@ export class Editor {
     this.states.set(name, this.makeState(name, text));
   }
 
+  /** Call a file by another name, with the language of that. */
+  rename(name, other) {
+    const texts = this.texts();
+    this.states = new Map([...this.states].map(([each, state]) => [each === name ? other : each, state]));
+    this.states.set(other, this.makeState(other, texts[name]));
+    if (this.active !== name) return;
+    this.active = null;
+    this.show(other);
+  }
+
   remove(name) {
     this.states.delete(name);
     if (this.active === name) this.active = null;

@@ -66,6 +66,7 @@ async function build(method, content) {
     next = null;
     setStatus(runner.isStarted ? "busy" : "starting");
     if (asked === "open") openings += 1;
+    if (asked === "open") isRenamed = false;
     take(await runner.ask(asked, asked === "open" ? opened() : given));
   }
   isBusy = false;
@@ -131,13 +132,59 @@ const editor = new Editor(byId("editor"), {
 });
 
 function send() {
-  const texts = editor.texts();
-  const names = [...changed];
+  const names = [...changed].map(nameByContent);
   changed.clear();
+  const texts = editor.texts();
   remember(opened());
-  if (names.length === 1) void build("change", { name: names[0], text: texts[names[0]] });
+  const [name] = names;
+  if (names.length === 1 && !isRenamed) void build("change", { name, text: texts[name] });
   else void build("open", null);
 }
+
+const ROOT = /^\ufeff?(?:\s|<\?[^]*?\?>|<!--[^]*?-->)*<(robot|mujoco|sdf)[\s>]/;
+const ENDINGS = { robot: "urdf", mujoco: "xml", sdf: "sdf" };
+const IS_YAML = /^(robot|model)\s*[:/]/m;
+let isRenamed = false; // since the last build
+
+/** Give a file that another format was pasted into a name of that format; return its name. */
+function nameByContent(name) {
+  const text = editor.texts()[name];
+  const root = ROOT.exec(text)?.[1];
+  const isXml = /\.(urdf|xml|sdf|mjcf)$/.test(name);
+  const ending = root && /\.ya?ml$/.test(name) ? ENDINGS[root] : isXml && !root && IS_YAML.test(text) ? "yaml" : "";
+  const wanted = name.replace(/\.\w+$/, `.${ending}`);
+  if (!ending || editor.states.has(wanted)) return name;
+  editor.rename(name, wanted);
+  if (project.main === name) project.main = wanted;
+  isRenamed = true;
+  markFiles();
+  return wanted;
+}
+
+/** Open files that were dropped: the robot is the first one that holds one and that no other names. */
+async function takeFiles(list) {
+  const files = {};
+  for (const file of list) {
+    if (file.size < 2 ** 20 && !IS_BINARY.test(file.name)) files[file.name] = await file.text();
+  }
+  const isRobot = (name) => ROOT.test(files[name]) || IS_YAML.test(files[name]);
+  const isNamed = (name) => Object.entries(files).some(([other, text]) => other !== name && text.includes(name));
+  const robots = Object.keys(files).filter(isRobot);
+  const main = robots.find((name) => !isNamed(name)) ?? robots[0];
+  if (!main) return;
+  keepProject();
+  byId("examples").value = "link";
+  openProject({ files, main, title: "from a link", isTrusted: false });
+}
+const IS_BINARY = /\.(stl|obj|dae|glb|gltf|bin|png|jpe?g|ply|msh|zip)$/i;
+const hasFiles = ({ dataTransfer }) => dataTransfer?.types.includes("Files");
+window.addEventListener("dragover", (event) => hasFiles(event) && event.preventDefault(), true);
+window.addEventListener("drop", (event) => {
+  if (!hasFiles(event)) return;
+  event.preventDefault();
+  event.stopPropagation();
+  void takeFiles(event.dataTransfer.files);
+}, true);
 
 function showFile(name) {
   if (editor.active !== name) editor.show(name);

@@ -62,7 +62,7 @@ class Renaming:
             RequestFailed: it cannot be renamed; the text says why.
         """
         if not text.is_yaml:
-            raise RequestFailed("names in URDF and xacro files cannot be renamed here")
+            raise RequestFailed("names in XML files cannot be renamed here")
         self._workspace = workspace
         self._text = text
         self._program = Program(workspace, text.path)

@@ -36,7 +36,9 @@ def document_symbols(workspace: Workspace, parameters: Json) -> Json:
     if text.is_yaml:
         found = builder.of_root(text.root)
     else:
-        found = builder.of_element(text.xml)
+        from .xml_names import format_of
+
+        found = builder.of_element(text.xml, hoists=format_of(text.xml) == "mjcf")
     own = (workspace.client.get("textDocument") or {}).get("documentSymbol") or {}
     if own.get("hierarchicalDocumentSymbolSupport"):
         return found
@@ -165,14 +167,23 @@ class _Symbols:
 
     # --- XML --------------------------------------------------------------------------------
 
-    def of_element(self, root: Element | None) -> list[Json]:
-        """Return the elements with a name, each with those in it."""
+    def of_element(self, root: Element | None, *, hoists: bool = False) -> list[Json]:
+        """Return the elements with a name, each with those in it.
+
+        Args:
+            root: what they are in.
+            hoists: whether elements without a name stand for what is in them, as in MJCF.
+        """
         if root is None:
             return []
         found = []
         for child in root.elements():
             name = child.attributes.get("name", child.attributes.get("filename"))
+            if child.name == "default":
+                name = child.attributes.get("class")
+            inner = self.of_element(child, hoists=hoists)
             if name is None:
+                found += inner if hoists else []
                 continue
             span = child.span
             whole = range_of(span.source, span.start, span.end, self._encoding)
@@ -183,8 +194,8 @@ class _Symbols:
                 "range": whole,
                 "selectionRange": whole,
             }
-            inner = self.of_element(child)
             if inner:
+                symbol["range"] = {"start": whole["start"], "end": inner[-1]["range"]["end"]}
                 symbol["children"] = inner
             found.append(symbol)
         return found

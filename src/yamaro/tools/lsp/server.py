@@ -148,6 +148,8 @@ class Server:
     def _touch(self, path: str, *, pause: float) -> None:
         """Plan the builds that a change of a file calls for, and give up those that run."""
         text = self._workspace.text_of(path)
+        if text is not None and text.is_foreign:
+            return
         if text is not None:
             self._workspace.note_includes(path, self._workspace.includes_of(text))
         due = time.monotonic() + pause

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import os
+import re
 
 from ...diagnostics import Reporter, YamaroError
 from ...files.loader import FileLoader, LoadError
@@ -31,7 +32,8 @@ if TYPE_CHECKING:
 
 
 YAML_ENDINGS = (".yaml", ".yml")
-XML_ENDINGS = (".xacro", ".urdf", ".xml", ".sdf")
+XML_ENDINGS = (".xacro", ".urdf", ".xml", ".sdf", ".mjcf", ".world")
+IS_OF_ROBOTS = re.compile("<(robot|mujoco|mujocoinclude|sdf|gazebo|xacro:[a-z]+)[\\s>]")
 
 
 class Text:
@@ -68,6 +70,11 @@ class Text:
     def is_yaml(self) -> bool:
         """Return whether it is a file of the language, and no XML."""
         return not self.source.is_xml
+
+    @property
+    def is_foreign(self) -> bool:
+        """Return whether it is XML that is not about robots, such as a package.xml."""
+        return self.path.lower().endswith(".xml") and not IS_OF_ROBOTS.search(self.text)
 
     @property
     def parsed(self) -> Parsed:
@@ -140,7 +147,7 @@ class Text:
         """Return what is to be said of the file unrun."""
         if self.is_yaml:
             return self.parsed.diagnostics
-        return self._read_xml()[1]
+        return [] if self.is_foreign else self._read_xml()[1]
 
     def _read_xml(self) -> tuple[Element | None, list[Diagnostic]]:
         if self._xml is None:
@@ -369,7 +376,11 @@ class Workspace:
                         return os.path.normpath(folder + rest)
             return None
         resolved = finder_of(self.settings).resolve_uri(path, text.folder)
-        return None if resolved is None else os.path.normpath(resolved)
+        if resolved is None:
+            return None
+        if text.path.lower().endswith((".sdf", ".world")) and os.path.isdir(resolved):
+            resolved = os.path.join(resolved, "model.sdf")  # as Gazebo names a model by its folder
+        return os.path.normpath(resolved)
 
     def includes_of(self, text: Text) -> frozenset[str]:
         """Return the files that a file includes, as far as that can be read unrun."""
@@ -449,7 +460,10 @@ def scan(folders: Sequence[str], settings: Settings) -> dict[str, frozenset[str]
             data = FileLoader().read(path)
         except LoadError:
             continue
-        if b"include" in data or b"attach" in data:
+        is_xml = path.lower().endswith(XML_ENDINGS[1:])
+        if is_xml and not (b"<mujoco" in data or b"<sdf" in data):
+            continue
+        if b"include" in data or b"attach" in data or b"<model" in data:
             includes = reader.includes_of(Text(path, data.decode("utf-8", "replace")))
             if includes:
                 found[path] = includes
@@ -465,7 +479,7 @@ def _files_in(folders: Sequence[str]) -> Iterator[str]:
             )
             for name in sorted(names):
                 path = os.path.join(where, name)
-                if name.lower().endswith((*YAML_ENDINGS, ".xacro")):
+                if name.lower().endswith((*YAML_ENDINGS, *XML_ENDINGS)):
                     try:
                         if os.path.getsize(path) > MOST_BYTES:
                             continue
