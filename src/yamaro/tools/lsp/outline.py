@@ -172,7 +172,7 @@ class _Symbols:
 
         Args:
             root: what they are in.
-            hoists: whether elements without a name stand for what is in them, as in MJCF.
+            hoists: whether what is in elements without a name is beside them, as in MJCF.
         """
         if root is None:
             return []
