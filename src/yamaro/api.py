@@ -59,6 +59,8 @@ def build(path: str | os.PathLike[str], **options: Unpack[AllOptions]) -> Build:
         sdf_version: "1.11" (the default), "1.9" or "1.12".
         model: the name of the model to read, of an MJCF or SDF file that has several; by default
             the first.
+        overlay: what changes values of the robot: the path of an overlay or calibration, the same
+            as a mapping, or several of them, of which later ones win.
         on_progress: is called with how far the work is, from 0 to 1, where a format takes long.
         partial: leave out formats that cannot be written, which `Build.refused` then explains, and
             do not warn of losses.

@@ -5,7 +5,7 @@ There is one type for everything Yamaro has to say about an input, and one rende
 
 from __future__ import annotations
 
-from .source import Public, Source, Span
+from .source import OverlaidSpan, Public, Source, Span
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -113,6 +113,8 @@ class Diagnostic(Public):
         self.span = span
         self.hint = hint
         self.notes = tuple(notes)
+        if type(span) is OverlaidSpan and span.note not in self.notes:
+            self.notes += (span.note,)
         self.severity = severity
         self.trace = trace
         if fix is None and type(hint) is Meant and span.source.path:

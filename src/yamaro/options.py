@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
     from .files.loader import Loader
 
+    Overlay = str | os.PathLike[str] | Mapping[str, Any]
+    Overlays = Overlay | Sequence[Overlay] | None
     Function = TypeVar("Function", bound=Callable[..., Any])
 
     class FileOptions(TypedDict, total=False):
@@ -47,6 +49,7 @@ if TYPE_CHECKING:
         repair_inertia: bool
         sdf_version: str | None
         model: str | None
+        overlay: Overlays
         on_progress: Callable[[float], None] | None
         partial: bool
 
@@ -80,6 +83,7 @@ DEFAULTS: dict[str, object] = {
     "repair_inertia": False,
     "sdf_version": None,
     "model": None,
+    "overlay": None,
     "on_progress": None,
     "partial": False,
 }
@@ -171,6 +175,7 @@ class Options:
     repair_inertia: bool
     sdf_version: str | None
     model: str | None
+    overlay: tuple[str | Mapping[str, Any], ...]
     on_progress: Callable[[float], None] | None
     partial: bool
 
@@ -195,6 +200,7 @@ class Options:
             "allow": _codes(self.allow),
             "deny": _codes(self.deny),
             "target": _formats(self.target),
+            "overlay": _overlays(self.overlay),
         }
         for name, value in complete.items():
             object.__setattr__(self, name, value)
@@ -266,6 +272,23 @@ def _codes(codes: Iterable[str]) -> frozenset[str]:
         if not isinstance(code, str):
             raise UsageError(f"a code to allow or deny must be a text, not {code!r}")
     return found
+
+
+def _overlays(overlay: Overlays) -> tuple[str | Mapping[str, Any], ...]:
+    """Return overlays as a tuple; a lone path or mapping is one."""
+    if overlay is None:
+        return ()
+    found: list[str | Mapping[str, Any]] = []
+    is_one = isinstance(overlay, (str, os.PathLike)) or hasattr(overlay, "keys")
+    given: Iterable[Any] = [overlay] if is_one else overlay  # type: ignore[assignment]
+    for each in given:
+        if isinstance(each, (str, os.PathLike)):
+            found.append(os.fspath(each))
+        elif hasattr(each, "keys"):
+            found.append(each)
+        else:
+            raise UsageError(f"an overlay is a path or a mapping, not {each!r}")
+    return tuple(found)
 
 
 def _formats(target: str | Sequence[str] | None) -> tuple[str, ...] | None:

@@ -11,7 +11,7 @@ those that belong to another one, as SRDF does to URDF.
 
 from __future__ import annotations
 
-from .diagnostics import ERROR, Reporter, YamaroError
+from .diagnostics import ERROR, Reporter, YamaroError, failure
 from .files.mesh_files import NONE
 from .result import Build
 from .runtime.interpreter import Interpreter
@@ -347,6 +347,14 @@ def evaluate(request: Request, interpreter: Interpreter) -> Element:
     """Run the main file, which is parsed then, and each file it includes, when it is reached."""
     variables, places, reporter = request.variables, request.places, request.reporter
     is_xacro = False
+    if _may_be_overlay(request.source):
+        from .runtime.overlays import overlay_in
+
+        overlay = overlay_in(request.source, interpreter.limits, reporter)
+        if overlay is not None:
+            _check_overlay(overlay, request)
+            interpreter.files.note(request.source.path or request.source.name)
+            return overlay
     if request.source.is_xml:
         from .runtime.xml_files import run_xml_main
 
@@ -368,6 +376,36 @@ def evaluate(request: Request, interpreter: Interpreter) -> Element:
     return root
 
 
+def _may_be_overlay(source: Source) -> bool:
+    """Return whether a main file may be an overlay or a calibration, by its text."""
+    text = source.text
+    return not source.is_xml and (
+        "homing_offset" in text
+        or text.startswith(("overlay:", "kinematics:"))
+        or "\noverlay:" in text
+        or "\nkinematics:" in text
+    )
+
+
+def _check_overlay(overlay: Element, request: Request) -> None:
+    """Check an overlay that is the main file, which only checking does; see `overlay-alone`.
+
+    Raises:
+        YamaroError: it has errors, or is to be built.
+    """
+    if not request.options.advice:
+        name = request.source.name
+        raise failure(
+            "overlay-alone",
+            "this file is an overlay, which changes a robot",
+            overlay.span,
+            hint=f"write yamaro ROBOT --overlay {name}; `yamaro check {name}` checks it alone",
+        )
+    from .robot.overlay import check_alone
+
+    check_alone(overlay, request.reporter)
+
+
 def _is_of_robots(word: str) -> bool:
     """Return whether a word is a key of parts, or an element of URDF or often in it."""
     from .model.schema import ELEMENTS
@@ -381,10 +419,16 @@ def lower(
 ) -> tuple[Element, Sequence[Element]]:
     """Return the tree without parts, in which the names of materials do not clash, and its notes.
 
-    A note is what a robot has that is not an element of URDF, such as a sensor.
+    A note is what a robot has that is not an element of URDF, such as a sensor. Overlays have
+    changed the values.
     """
     notes: Sequence[Element] = ()
-    if interpreter.has_parts:
+    overlays: Sequence[Element] = ()
+    if request.options.overlay:
+        from .runtime.overlays import given_overlays
+
+        overlays = given_overlays(interpreter, request.options.overlay)
+    if interpreter.has_parts or overlays:
         from .robot.lowering import Fitter
         from .robot.part import lower as lower_parts
 
@@ -395,6 +439,8 @@ def lower(
             resolve_mesh=finder.resolve,
             may_read=finder.allows,
             fitter=Fitter(is_cached=request.options.policy.is_trusted),
+            overlays=overlays,
+            wants_advice=request.options.wanted_advice(),
         )
     if interpreter.has_blocks:
         from .robot.notes import take_raw_blocks

@@ -145,6 +145,9 @@ class Program(Public):
         a jail the tree comes only with `has_root`, since that takes time.
         """
         source, policy = self._main_file(), self.options.policy
+        if self._reach is not None:  # who names an overlay lets it be read
+            named = [each for each in options.overlay if isinstance(each, str)]
+            self._reach.also_allow([os.path.realpath(each) for each in named])
 
         def run_reader(work: Callable[[], bytes]) -> bytes:
             if policy.is_confined:

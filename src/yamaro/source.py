@@ -203,6 +203,30 @@ class RecordedSpan(Span):
         self.others = others
 
 
+class OverlaidSpan(RecordedSpan):
+    """A span in an overlay, of a value that takes the place of another one; or of one beside it.
+
+    Attributes:
+        replaced: where the value was given before, or what lacked it; None for what is only beside
+            a value that an overlay changed.
+        note: the same in words, for messages.
+    """
+
+    __slots__ = ("note", "replaced")
+
+    def __init__(self, span: Span, note: str, replaced: Span | None = None) -> None:
+        """Mark the same stretch as another span."""
+        recorded = span if isinstance(span, RecordedSpan) else None
+        super().__init__(
+            span,
+            recorded.readings if recorded is not None else (),
+            name_span=recorded.name_span if recorded is not None else None,
+            others=recorded.others if recorded is not None else (),
+        )
+        self.note = note
+        self.replaced = replaced
+
+
 def joined(first: Span, second: Span) -> Span:
     """Return the place of a value that is computed from two: the first, noting the other."""
     if type(first) is not RecordedSpan:

@@ -290,6 +290,7 @@ def options_of(arguments: Arguments, **others: Unpack[AllOptions]) -> Options:
         "deny": arguments.lists.get("deny", ()),
         "output": output_of(arguments),
         "model": arguments.options.get("model"),
+        "overlay": arguments.lists.get("overlay", ()),
     }
     wanted.update(targets_of(arguments))
     wanted.update(others)

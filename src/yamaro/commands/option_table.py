@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 BUILDING = (
     "quiet", "strict", "allow", "deny", "trust", "jail", "safe", "timeout", "allow-path", "within",
-    "limit", "package", "color", "model",
+    "limit", "package", "color", "model", "overlay",
 )  # fmt: skip
 """Those of commands that build one file of the user's, and show its messages."""
 WORKING = (
@@ -194,6 +194,15 @@ OPTIONS = {
             BOTH,
             value="NAME",
             wants="the name of a model",
+        ),
+        Option(
+            "overlay",
+            "change values of the robot as an overlay or a calibration says; later ones win",
+            BOTH,
+            value="FILE",
+            wants="the file of an overlay",
+            is_repeatable=True,
+            completes="files",
         ),
         Option(
             "gazebo",

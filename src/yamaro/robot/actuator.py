@@ -53,6 +53,23 @@ def lower_actuator(lowering: Lowering, word: Element, joint: Element, out: list[
         lowering.absorb(error)
 
 
+def changed_actuator(
+    lowering: Lowering, word: Element, joint: Element, before: RobotNote | None
+) -> RobotNote:
+    """Return the note of an actuator that an overlay gives to a joint, or changes.
+
+    Args:
+        lowering: the run.
+        word: the entries that are given.
+        joint: the joint.
+        before: the note of the actuator that is there; its values count where none is given.
+
+    Raises:
+        YamaroError: an entry is faulty, or says what another one says.
+    """
+    return _actuator(lowering, word, joint, before)
+
+
 def limits_of_motor(lowering: Lowering, word: Element) -> Values:
     """Return the greatest effort and velocity of what drives a joint, as far as they are known.
 
@@ -65,7 +82,9 @@ def limits_of_motor(lowering: Lowering, word: Element) -> Values:
     return {name: values[source] for name, source in LIMITS.items() if source in values}
 
 
-def _actuator(lowering: Lowering, word: Element, joint: Element) -> RobotNote:
+def _actuator(
+    lowering: Lowering, word: Element, joint: Element, before: RobotNote | None = None
+) -> RobotNote:
     refuse_attributes(word)
     keys = given_once(word, ACTUATOR.fields)
     _check_joint(word, joint)
@@ -78,6 +97,11 @@ def _actuator(lowering: Lowering, word: Element, joint: Element) -> RobotNote:
     )
     places: dict[str, Span] = {}
     note.value_spans = places
+    if before is not None:
+        for name in ("joint", "command", "commands", MOTOR):
+            if name in before.attributes:
+                note.attributes[name] = before.attributes[name]
+                places[name] = before.value_span(name)
     command = keys.get("command")
     if command is not None:
         places["command"] = read_value(command)[1]
@@ -96,10 +120,13 @@ def _actuator(lowering: Lowering, word: Element, joint: Element) -> RobotNote:
                     trace=command.trace,
                 )
         commands = [name for name, _ in names]
+        note.attributes.pop("commands", None)
         note.attributes["command"] = commands[0]
         if len(commands) > 1:
             note.attributes["commands"] = " ".join(commands)
     values = _values(lowering, keys)
+    if before is not None:
+        values = {**_left_of(before, values), **values}
     known = _name_in(keys.get(MOTOR))
     if known is not None:
         note.attributes[MOTOR] = spelled(format_value(known.value))
@@ -229,6 +256,33 @@ def _read(lowering: Lowering, keys: dict[str, Element]) -> Values:
                 trace=keys[later].trace,
             )
     return values
+
+
+def _left_of(before: RobotNote, given: Values) -> Values:
+    """Return the numbers of an actuator that stay when others are given.
+
+    What follows from the others is computed again; what says the same in another way gives way.
+    """
+    left: Values = {}
+    for name in ACTUATOR.fields:
+        value = before.attributes.get(name)
+        if value is not None and name not in ("command", MOTOR):
+            number = (
+                value if isinstance(value, Numbers) else Numbers.spelled((format_value(value),))
+            )
+            left[name] = number, before.value_span(name)
+    has_frequency = not given.keys().isdisjoint(ALTERNATIVES[1][1])
+    if not given.keys().isdisjoint(ALTERNATIVES[0][0]):
+        left.pop("rotor_inertia", None)
+    elif "rotor_inertia" in given or ("gear" in given and "rotor_inertia" in left):
+        left.pop("armature", None)
+    if not given.keys().isdisjoint(ALTERNATIVES[1][0]):
+        for name in ALTERNATIVES[1][1]:
+            left.pop(name, None)
+    elif has_frequency or "frequency" in left:
+        left.pop("kp", None)
+        left.pop("kd", None)
+    return left
 
 
 # --- what follows from them ---------------------------------------------------------------------

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from ..model.shapes import Inertia
     from ..source import Source, Span
     from ..xml.forms import Form
-    from ..xml.tree import RobotNote
+    from ..xml.tree import RobotNote, RobotWord
     from ..xml.values import Numbers
     from .control import PendingControl
     from .controllers import PendingController
@@ -31,6 +31,7 @@ if TYPE_CHECKING:
         list[Mirror],
         list[tuple[RobotNote, str]],
         list[PendingControl | PendingController],
+        list[RobotWord],
         dict[str, str],
         dict[str, str],
     ]
@@ -90,6 +91,8 @@ class Lowering:
         trace: the calls and includes that led to the part that is being lowered.
         controls: controls and controllers whose joints are not chosen yet.
         references: notes with the attribute that may yet be the name of a part.
+        overlays: overlays of included files, which change what those made once names are resolved.
+        advice: what there is to say of overlays to who asks for advice.
         pending: the mirrors whose image is made once names are resolved, inner ones first.
         part_links: the link of each part, by the part's name.
         part_joints: the joint of each part, by the part's name.
@@ -97,6 +100,7 @@ class Lowering:
 
     __slots__ = (
         "_reported",
+        "advice",
         "colors",
         "controls",
         "errors",
@@ -114,6 +118,7 @@ class Lowering:
         "namings",
         "near_keys",
         "numbers",
+        "overlays",
         "parents",
         "part_joints",
         "part_links",
@@ -159,6 +164,8 @@ class Lowering:
         self.pending: list[Mirror] = []
         self.references: list[tuple[RobotNote, str]] = []
         self.controls: list[PendingControl | PendingController] = []
+        self.overlays: list[RobotWord] = []
+        self.advice: list[Diagnostic] = []
         self.link_name = ""
         self.colors: dict[tuple[float, ...], str] = {}
         self.joint_type: str | None = None
@@ -205,11 +212,12 @@ class Lowering:
             self.pending,
             self.references,
             self.controls,
+            self.overlays,
             self.part_links,
             self.part_joints,
         )
         self.parents, self.mimics, self.pending, self.references = [], [], [], []
-        self.controls = []
+        self.controls, self.overlays = [], []
         self.part_links, self.part_joints = {}, {}
         return outside
 
@@ -221,7 +229,7 @@ class Lowering:
         """
         own = self.part_links, self.part_joints
         self.parents, self.mimics, self.pending, self.references, self.controls = outside[:5]
-        self.part_links, self.part_joints = outside[5:]
+        self.overlays, self.part_links, self.part_joints = outside[5:]
         return own
 
     def absorb(self, error: YamaroError) -> None:

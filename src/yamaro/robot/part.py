@@ -54,6 +54,8 @@ def lower(
     resolve_mesh: Callable[[str, Span], str | None],
     may_read: Callable[[str], bool] | None = None,
     fitter: Fitter | None = None,
+    overlays: Sequence[Element] = (),
+    wants_advice: Callable[[str], bool] | None = None,
 ) -> tuple[Element, Sequence[Element]]:
     """Return the tree with every part replaced by its joint, its link and what is beside them.
 
@@ -68,15 +70,24 @@ def lower(
             none; asked only when inertia is computed from the mesh.
         may_read: decides whether a file may be read that a mesh names; None allows all.
         fitter: takes the meshes that are made, and keeps what is worked out from meshes.
+        overlays: what changes values of the robot, in this order.
+        wants_advice: decides which advice to report; None for none.
 
     Raises:
         YamaroError: holds every error found.
     """
     places = _places_of_parts(root)
     has_notes = any(isinstance(child, RobotNote) for child in root.children)
-    if not places and not has_notes:
+    if not places and not has_notes and not overlays:
         return root, ()
     if root.name != "robot":
+        if overlays:
+            raise failure(
+                "overlay-without-robot",
+                f"an overlay changes a robot, but the root element is <{root.name}>",
+                overlays[0].span,
+                hint="leave the overlay out, or give it to the file of the robot",
+            )
         if not places:
             return take_notes(root)
         first = next(iter(places.values()))
@@ -100,12 +111,15 @@ def lower(
     if lowering.errors:
         raise YamaroError(lowering.errors)
     resolve_names(lowering, robot)
-    if not lowering.has_words and not has_notes:
+    if not lowering.has_words and not has_notes and not overlays:
         return robot, ()
     from .finish import finish_notes
 
-    finish_words(lowering, robot)
+    finish_words(lowering, robot, overlays)
     robot, notes = finish_notes(lowering, robot)
+    for advice in lowering.advice:
+        if wants_advice is not None and wants_advice(advice.code):
+            reporter.add(advice)
     settle(reporter.diagnostics, None)
     settle(lowering.errors, None)
     if lowering.errors:
@@ -113,12 +127,23 @@ def lower(
     return robot, notes
 
 
-def finish_words(lowering: Lowering, robot: Element) -> None:
-    """Work out what needs the whole robot, with the names in it resolved."""
+def finish_words(lowering: Lowering, robot: Element, overlays: Sequence[Element] = ()) -> None:
+    """Work out what needs the whole robot, with the names in it resolved.
+
+    Overlays come after the images of mirrors, which are robots of their own, and before what
+    depends on values: those of included files, then those of the whole.
+    """
     if lowering.pending:
         from .mirror import make_images
 
         make_images(lowering, robot)
+    if lowering.overlays or overlays:
+        from .overlay import Overlaid, overlay_part
+
+        for word in lowering.overlays:
+            overlay_part(lowering, robot, word)
+        for overlay in overlays:
+            Overlaid(lowering, robot).change(overlay)
     if lowering.controls:
         from .control import choose_members
 
@@ -262,6 +287,9 @@ def lower_word(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
             from .controllers import lower_controllers as lower
         case "naming":
             from .naming import lower_naming as lower
+        case "overlay":
+            lowering.overlays.append(word)
+            return
         case _:
             from .sections import lower_section as lower
     lower(lowering, word, out)

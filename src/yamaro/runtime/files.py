@@ -411,6 +411,17 @@ class Files:
         self.note(path)
         return source
 
+    def read_given(self, path: str, name: str) -> Source:
+        """Return the source of a file that the build was asked for with.
+
+        Raises:
+            LoadError: it cannot be read.
+            YamaroError: it is not text in its encoding.
+        """
+        source = self._library.source(path, name)
+        self.note(path)
+        return source
+
     def neighbours(self, path: str) -> list[str]:
         """Return the names of the files in the folder of `path`."""
         return self._library.loader.neighbours(path)

@@ -93,6 +93,9 @@ def run_include(
         from .xml_files import include_xml
 
         include_xml(interpreter, node, source, passed, namespace, out)
+        if node.overlays:
+            frame = interpreter.step("included", source.name, node.span, None)
+            _overlay(interpreter, node, scope, frame, passed.get("prefix"), out)
         return
     frame = interpreter.step("included", source.name, node.span, None)
     interpreter.enter(frame, node.path_span)
@@ -130,6 +133,21 @@ def run_include(
     finally:
         interpreter.leave(frame)
     _hand_back(interpreter, inner, scope, namespace, before, node.span)
+    if node.overlays:
+        _overlay(interpreter, node, scope, frame, None, out)
+
+
+def _overlay(
+    interpreter: Interpreter,
+    node: IncludeNode,
+    scope: Scope,
+    frame: Frame,
+    prefix: object,
+    out: list[Node],
+) -> None:
+    from .overlays import overlays_of_include
+
+    out += overlays_of_include(interpreter, node, scope, format_value(prefix), frame)
 
 
 def _traced(interpreter: Interpreter, node: Node) -> Node:

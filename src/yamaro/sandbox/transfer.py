@@ -14,7 +14,14 @@ from itertools import pairwise
 from ..diagnostics import ACCEPTED, ERROR, FRAME_KINDS, WARNING, Diagnostic, Frame, YamaroError
 from ..fixes import Edit, Fix
 from ..policy import Limits
-from ..source import STANDARD_INPUT_NAME, Reading, RecordedSpan, Source, Span
+from ..source import (
+    STANDARD_INPUT_NAME,
+    OverlaidSpan,
+    Reading,
+    RecordedSpan,
+    Source,
+    Span,
+)
 from ..xml.tree import Comment, Element, Text
 from ..xml.values import bad_name_character, format_value, is_comment_text
 from ..xml.wellformed import check_document
@@ -332,6 +339,9 @@ class _Packer:
         readings = [self.reading(each) for each in span.readings]
         others = [] if is_inner else [self.recorded(each, is_inner=True) for each in span.others]
         name_span = None if is_inner else span.name_span
+        replaced, note = None, ""
+        if isinstance(span, OverlaidSpan) and not is_inner:
+            replaced, note = span.replaced, span.note
         return pack(
             [
                 _RECORDED,
@@ -339,6 +349,8 @@ class _Packer:
                 b"" if name_span is None else self.recorded(name_span, is_inner=True),
                 pack(readings),
                 pack(others),
+                b"" if replaced is None else self.recorded(replaced, is_inner=True),
+                _text(note),
             ]
         )
 
@@ -474,18 +486,22 @@ class _Unpacker:
         """Return a place in the tree."""
         if data[:1].isdigit():
             return self.span(data)
-        mark, place, name_place, packed, others = unpack(data)
+        mark, place, name_place, packed, others, replaced, note = unpack(data)
         if mark != _RECORDED:
             raise ValueError("there is no such kind of place")
-        if is_inner and (name_place or others):
+        if is_inner and (name_place or others or note):
             raise ValueError("a place is nested too deeply")
         readings = [self.reading(each) for each in unpack(packed)]
-        return RecordedSpan(
+        span = RecordedSpan(
             self.span(place),
             tuple(readings),
             name_span=self.recorded(name_place, is_inner=True) if name_place else None,
             others=tuple(self.recorded(each, is_inner=True) for each in unpack(others)),
         )
+        if not note:
+            return span
+        before = self.recorded(replaced, is_inner=True) if replaced else None
+        return OverlaidSpan(span, _read_text(note), before)
 
     def reading(self, data: bytes) -> Reading:
         name, value, *places = unpack(data)

@@ -4,10 +4,18 @@ from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure, suggest
 from ..source import is_xml_file
-from ..yaml.nodes import ScalarNode
+from ..yaml.nodes import MappingNode, ScalarNode, SequenceNode
 from .context import ParseContext
 from .names import is_identifier, name_hint
-from .nodes import Argument, CommentNode, IncludeNode, PrintNode, ProcessNode, TextNode
+from .nodes import (
+    Argument,
+    CommentNode,
+    IncludeNode,
+    PrintNode,
+    ProcessNode,
+    TextContent,
+    TextNode,
+)
 from .python import Template, compile_statements, parse_template
 from .signatures import parse_argument_name
 from .values import (
@@ -102,6 +110,7 @@ def parse_include_of(key: ScalarNode, pairs: Pairs, context: ParseContext) -> In
     word = key.text
     path_pair: tuple[ScalarNode, YamlNode] | None = None
     namespace_pair: tuple[ScalarNode, YamlNode] | None = None
+    overlay_pair: tuple[ScalarNode, YamlNode] | None = None
     rest: Pairs = []
     given: Pairs = []  # under `arguments`, where they may have any name
     for own, value in pairs:
@@ -111,6 +120,9 @@ def parse_include_of(key: ScalarNode, pairs: Pairs, context: ParseContext) -> In
         elif own.text == "namespace":
             refuse_twice(namespace_pair, own, word)
             namespace_pair = (own, value)
+        elif own.text == "overlay":
+            refuse_twice(overlay_pair, own, word)
+            overlay_pair = (own, value)
         elif own.text == "arguments" and is_mapping(value):
             given += pairs_of(value, "`arguments`", context)
         else:
@@ -139,7 +151,7 @@ def parse_include_of(key: ScalarNode, pairs: Pairs, context: ParseContext) -> In
         argument.value = parse_value(value, context)
         arguments.append(argument)
     path_span = path_pair[1].span()
-    return IncludeNode(
+    node = IncludeNode(
         path,
         namespace,
         arguments,
@@ -147,6 +159,30 @@ def parse_include_of(key: ScalarNode, pairs: Pairs, context: ParseContext) -> In
         path_span=path_span,
         span=key.span(),
     )
+    if overlay_pair is not None:
+        node.overlay_span = overlay_pair[0].span()
+        node.overlays = _parse_overlays(overlay_pair[1], context)
+    return node
+
+
+def _parse_overlays(node: YamlNode, context: ParseContext) -> list[TextContent | MappingNode]:
+    """Return the overlays beside a path: a path or a mapping, or a list of these."""
+    overlays: list[TextContent | MappingNode] = []
+    for item in node.items if isinstance(node, SequenceNode) else [node]:
+        if isinstance(item, MappingNode):
+            overlays.append(item)
+        elif isinstance(item, ScalarNode):
+            if not is_empty(item):
+                value = parse_template(item, context=context)
+                overlays.append(TextContent(value, item.span()))
+        else:
+            raise failure(
+                "not-an-overlay",
+                "an overlay is the path of a file, or {joints: …, links: …}",
+                item.span(),
+                hint="write overlay: unit-17.yaml, or overlay: [cell.yaml, unit-17.yaml]",
+            )
+    return overlays
 
 
 def _without_path(key: ScalarNode, keys: list[ScalarNode]) -> YamaroError:

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
     from ..diagnostics import Diagnostic
     from ..yaml.comments import Comment as YamlComment
+    from ..yaml.nodes import MappingNode
     from .argument_section import ArgumentEntry
     from .forms import EvaluatedForm
     from .symbol_table import SymbolTable
@@ -345,10 +346,13 @@ class IncludeNode:
     Attributes:
         namespace_span: where the namespace is written, if there is one.
         own_prefix: where the `prefix` of an `attach` is written, which is not passed; else None.
+        overlays: the overlays that change what the file makes: each a path, or what is written.
+        overlay_span: where these are written, if there are any.
     """
 
     __slots__ = (
-        "arguments", "namespace", "namespace_span", "own_prefix", "path", "path_span", "span",
+        "arguments", "namespace", "namespace_span", "overlay_span", "overlays", "own_prefix",
+        "path", "path_span", "span",
     )  # fmt: skip
 
     def __init__(
@@ -368,6 +372,8 @@ class IncludeNode:
         self.arguments = arguments
         self.span = span
         self.own_prefix: Span | None = None
+        self.overlays: list[TextContent | MappingNode] = []
+        self.overlay_span: Span | None = None
 
 
 LOCAL, GLOBAL, PARENT, CHILD, BRIDGE = "local", "global", "parent", "child", "bridge"

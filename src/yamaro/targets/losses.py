@@ -7,7 +7,7 @@ from ..model.controllers import Controller
 from ..model.extras import Actuator, Group, Loop, Sensor, State, Surface
 from ..model.joint import Joint
 from ..model.link import Link
-from ..source import Public
+from ..source import OverlaidSpan, Public
 from .elements import written_at
 from .table import TARGETS
 
@@ -240,9 +240,8 @@ def unpacked(diagnostics: Iterable[Diagnostic]) -> list[Loss]:
         kind = each.code.partition("-in-")[0]
         if kind not in KINDS:
             raise ValueError("there is no such kind of loss")
-        owner, how = each.notes
+        owner, how, *overlaid = each.notes
+        span = OverlaidSpan(each.span, overlaid[0]) if overlaid else each.span
         hint = each.hint or ""
-        losses.append(
-            Loss(kind, each.message, owner, each.span, trace=each.trace, how=how, hint=hint)
-        )
+        losses.append(Loss(kind, each.message, owner, span, trace=each.trace, how=how, hint=hint))
     return losses

@@ -333,6 +333,28 @@ class IncludedRobot:
         return inner
 
 
+class OverlaidInclude:
+    """The `body` of the word that an include with overlays leaves: what of the robot is its own.
+
+    Attributes:
+        frame: the step of the include.
+        prefix: what the include has put before the names of links and joints.
+    """
+
+    __slots__ = ("frame", "prefix")
+
+    def __init__(self, frame: Frame, prefix: str) -> None:
+        self.frame = frame
+        self.prefix = prefix
+
+    def holds(self, element: Element) -> bool:
+        """Return whether the include made an element of the robot."""
+        step: Frame | None = element.trace
+        while step is not None and step is not self.frame:
+            step = step.parent
+        return step is not None
+
+
 _NO_ATTRIBUTES: dict[str, object] = {}
 
 

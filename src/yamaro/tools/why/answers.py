@@ -10,7 +10,7 @@ from __future__ import annotations
 from ...diagnostics import Frame, suggest
 from ...model.schema import ELEMENTS
 from ...rendering import excerpt_lines, trace_lines
-from ...source import RecordedSpan, Span
+from ...source import OverlaidSpan, RecordedSpan, Span
 from ...targets.holding import FORMATS, cell
 from ...terminal import BOLD, CYAN, painted, shortened
 from ...xml.tree import Element, Text
@@ -112,6 +112,16 @@ class Answer:
             return ()
         mirrors = [span.key() for span in self.mirrors]
         return [span for span in self.span.others if span.key() not in mirrors]
+
+    @property
+    def replaced(self) -> Sequence[OverlaidSpan]:
+        """Return the places in overlays that changed the value, the last of them first."""
+        found = []
+        span: Span | None = self.span
+        while isinstance(span, OverlaidSpan):
+            found.append(span)
+            span = span.replaced
+        return found
 
     @property
     def mirrors(self) -> Sequence[Span]:
@@ -261,6 +271,8 @@ def _remarks(answer: Answer) -> Iterator[tuple[str, str]]:
     if answer.name_span is not None:
         written = answer.name_span.written()
         yield "name: ", f"{written}, at {answer.name_span.place()}"
+    for changed in answer.replaced:
+        yield "", changed.note
     for span in answer.others:
         yield "and: ", f"{span.written()}, at {span.place()}"
     for reading in _all_readings(answer):
@@ -299,6 +311,9 @@ def answer_data(answer: Answer) -> dict[str, object]:
         "derived": answer.is_derived,
         "place": _place(answer.span),
         "name_place": None if answer.name_span is None else _place(answer.name_span),
+        "replaced_places": [
+            _place(each.replaced) for each in answer.replaced if each.replaced is not None
+        ],
         "other_places": [_place(span) for span in answer.others],
         "mirrored_by": [_place(span) for span in answer.mirrors],
         "variables": [
