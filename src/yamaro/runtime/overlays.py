@@ -162,7 +162,7 @@ def _element(name: str, span: Span, node: YamlNode) -> Element:
                     continue
                 fault = failure(
                     "value-expected",
-                    f"'{owner.name}' holds values in a list, and this is none",
+                    f"'{owner.name}' takes a list of values, and this is a mapping or a list",
                     item.span(),
                     hint=f"write {owner.name}: {{…}} without the list",
                 )
@@ -201,7 +201,7 @@ def given_overlays(
     """Return the overlays that a build was asked for with: files, or mappings from Python.
 
     Raises:
-        YamaroError: one cannot be read, or is none.
+        YamaroError: one cannot be read, or is not an overlay.
     """
     found = []
     for overlay in overlays:
@@ -240,7 +240,7 @@ def overlays_of_include(
         frame: its step.
 
     Raises:
-        YamaroError: an overlay cannot be read, or is none; or no part may be here.
+        YamaroError: an overlay cannot be read, or is not an overlay; or no part may be here.
     """
     words: list[Node] = []
     for overlay in node.overlays:
