@@ -326,7 +326,8 @@ class _Reader:
         if number is not None and not text[:1].isalpha():
             digits = text.lstrip("+-")
             return ("int", str(int(text))) if digits.isdigit() else ("float", repr(number))
-        if self._is_known and text[:1] in "+-.0123456789" and text[-1:].isalpha():
+        has_unit = text[-1:].isalpha() or "^" in text  # as in m/s^2
+        if self._is_known and text[:1] in "+-.0123456789" and has_unit:
             return "float", repr(self._quantity(key, text, span))
         return "text", text
 

@@ -6,7 +6,7 @@ import keyword
 import os
 import re
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from ... import __version__
 from ...api import build
@@ -16,8 +16,11 @@ from ...files.loader import MemoryLoader
 from ...picture.command import check_packages, draw
 from ...picture.request import Request
 from ...policy import Policy
+from ...result import Build
 
 PICTURE = "picture.png"
+CONTROLLERS = "config/ros2_controllers.yaml"
+"""What `--to controllers` makes of the robot."""
 
 _TEMPLATE = os.path.join(os.path.dirname(__file__), "template")
 _PICTURE_IN_README = f"![The robot]({PICTURE})\n\n"
@@ -44,7 +47,15 @@ def files_of(name: str, *, has_picture: bool) -> dict[str, str]:
             text = text.replace(f"@{word}@", value)
         path = path.replace("NAME", name).replace("dot-", ".")
         files[path.removesuffix(".in")] = text  # with it, tools would take the template for a file
+    files[CONTROLLERS] = _built(name, os.path.abspath(name), files, target="controllers").xml()
     return files
+
+
+def _built(name: str, folder: str, files: Mapping[str, str], *, target: str) -> Build:
+    """Return the build of a package's robot, whose files are in memory, as if in a folder."""
+    texts = {os.path.join(folder, *path.split("/")): text for path, text in files.items()}
+    path = os.path.join(folder, *main_file(name).split("/"))
+    return build(path, loader=MemoryLoader(texts), target=target)
 
 
 def main_file(name: str) -> str:
@@ -102,13 +113,11 @@ def picture_of(name: str, folder: str) -> bytes | None:
         name: that of the package.
         folder: where it will be.
     """
-    files = files_of(name, has_picture=False)
-    texts = {os.path.join(folder, *path.split("/")): text for path, text in files.items()}
     path = os.path.join(folder, *main_file(name).split("/"))
     request = Request(PICTURE, {}, {})
     try:
         check_packages(path)
-        robot = build(path, loader=MemoryLoader(texts))
+        robot = _built(name, folder, files_of(name, has_picture=False), target="urdf")
         return draw(robot, path, request, Reader(Policy(), readable=[], name=path)).data
     except YamaroError:
         return None
