@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import gc
+import importlib
 import os
+import pkgutil
 import signal
 import sys
 from collections.abc import Iterator
@@ -10,11 +13,12 @@ from collections.abc import Iterator
 import pytest
 from hypothesis import HealthCheck, settings
 
+import yamaro
 from tests import effort
 from tests.forecast import Forecast
 
 # Tests give the same result on every machine and every run; `--hypothesis-seed` explores further.
-for name, examples in {"steady": effort.USUAL, "quick": effort.QUICK}.items():
+for name, examples in effort.PROFILES.items():
     settings.register_profile(
         name,
         max_examples=examples,
@@ -33,6 +37,11 @@ _OUTSIDE_INFLUENCES = (
     "PYTHONWARNINGS",
     "ROS_PACKAGE_PATH",
 )
+
+FEW = 100
+"""Tests for which it does not pay to load all of Yamaro."""
+# Modules that load simulators and renderers, and those that run when they are imported.
+_LARGE = ("__main__", "isaaclab", "picture", "srdf", "tools", "usd")
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -59,6 +68,17 @@ def pytest_configure(config: pytest.Config) -> None:
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     # These load simulators and renderers, and a large process forks slowly, as for each jail.
     items.sort(key=lambda item: item.path.parent.name in ("consumers", "picture", "scene", "view"))
+
+
+def pytest_collection_finish(session: pytest.Session) -> None:
+    # What is loaded before a jail is begun is not loaded in each jail again, of which there are
+    # thousands. Those that processes of their own begin are without it.
+    if len(session.items) > FEW:
+        for module in pkgutil.walk_packages(yamaro.__path__, "yamaro."):
+            if not any(f".{name}" in module.name for name in _LARGE):
+                importlib.import_module(module.name)
+        gc.collect()
+        gc.freeze()  # a hundred thousand objects of tests, which would be looked at again and again
 
 
 @pytest.fixture(autouse=True)

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from tests.built_site import SITE, build_site
+from tests.effort import tried
 from tests.waiting import PATIENCE
 
 BENCH = Path(__file__).parents[1] / "bench"
@@ -50,7 +51,7 @@ def run(script: str, *arguments: str) -> list[str]:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("script", SCRIPTS)
+@pytest.mark.parametrize("script", tried(SCRIPTS, str, quick=6, usual=2))
 def test_a_script_prints_a_table_of_figures(
     script: str, monkeypatch: pytest.MonkeyPatch, tmp_path_factory: pytest.TempPathFactory
 ) -> None:

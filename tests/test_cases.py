@@ -19,7 +19,7 @@ from lxml import etree
 from packaging.specifiers import SpecifierSet
 
 from tests import golden
-from tests.effort import is_drawn, is_quick
+from tests.effort import is_tried, tried
 from tests.golden import (
     CASES,
     case_id,
@@ -48,15 +48,6 @@ class Result(NamedTuple):
 def expected_of(case: Path) -> Result:
     xml, messages = case.with_suffix(".xml"), case.with_suffix(".err")
     return Result(0 if xml.exists() else 1, read_expected(xml), read_expected(messages))
-
-
-def drawn_cases(*, of: int, slow: int = 1) -> list[Any]:
-    """Return one of `slow` cases as parameters; only one of so many is not slow."""
-    return [
-        pytest.param(case, marks=[pytest.mark.slow] * (not is_drawn(case_id(case), of=of)))
-        for case in find_cases()
-        if is_drawn(case_id(case), of=slow)
-    ]
 
 
 @pytest.fixture
@@ -131,7 +122,7 @@ def test_case_gives_exactly_what_is_expected(
     expected_xml = read_expected(xml)
     assert result.xml == expected_xml, difference(expected_xml, result.xml, xml.name)
     assert result.status == (0 if xml.exists() else 1)
-    if not is_quick() or is_drawn(case_id(case), of=8):
+    if is_tried(case_id(case), quick=8, usual=3):
         again = compile_case(case, options)
         assert again == result, "a second run in the same process gives something else"
         with monkeypatch.context() as patch:
@@ -148,7 +139,7 @@ UNSAFE = re.compile(
 """What safe mode and the jail may say where trusted mode says something else."""
 
 
-@pytest.mark.parametrize("case", drawn_cases(of=6), ids=case_id)
+@pytest.mark.parametrize("case", tried(find_cases(), case_id, quick=6, usual=2), ids=case_id)
 def test_safe_mode_gives_the_same_or_refuses(
     case: Path, compile_case: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -168,7 +159,7 @@ def test_safe_mode_gives_the_same_or_refuses(
 
 
 @pytest.mark.skipif(jail.check_available() is not None, reason="there is no jail here")
-@pytest.mark.parametrize("case", drawn_cases(of=40, slow=8), ids=case_id)
+@pytest.mark.parametrize("case", tried(find_cases(), case_id, quick=40, usual=8), ids=case_id)
 def test_what_comes_out_of_a_jail_is_the_same(case: Path, compile_case: Any) -> None:
     options = read_options(case)
     if options.get("command") or "--" in options.get("args", "") or "env" in options:

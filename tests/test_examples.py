@@ -11,20 +11,25 @@ import re
 import shlex
 import shutil
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
-import trimesh
 import yaml
 from lxml import etree
 
 import yamaro
 from tests.consumers import oracles
 from tests.example_files import EXAMPLES, PROGRAMS
+from tests.later import Later
 from yamaro.commands.main import main
 from yamaro.model.compare import compare
 from yamaro.model.robot import Robot
+
+if TYPE_CHECKING:
+    import trimesh
+else:
+    trimesh = Later("trimesh")
 
 ROBOTS = Path(__file__).parent / "examples"
 """The same robots, written without `mirror`, units and the like."""

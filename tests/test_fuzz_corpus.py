@@ -13,7 +13,7 @@ from typing import Any
 
 import pytest
 
-from tests.effort import examples
+from tests.effort import examples, is_tried
 from tests.fuzz import pipeline
 from tests.fuzz.corpus import FILE_MARK, read_corpus, to_bytes, to_text
 from tests.fuzz.session import Session
@@ -202,8 +202,14 @@ PLANTED: list[tuple[str, str, Plant]] = [
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("name", "plant"), [(own[0], own[2]) for own in PLANTED],
-                         ids=[f"{own[0]}-{own[1]}" for own in PLANTED])  # fmt: skip
+@pytest.mark.parametrize(
+    ("name", "plant"),
+    [
+        pytest.param(name, plant, id=f"{name}-{fault}")
+        for name, fault, plant in PLANTED
+        if is_tried(fault, quick=6, usual=2)
+    ],
+)
 def test_a_planted_fault_is_found(
     name: str, plant: Plant, corpora: dict[str, list[str]], monkeypatch: pytest.MonkeyPatch
 ) -> None:

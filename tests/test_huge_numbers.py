@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pytest
-import trimesh
 
+from tests.later import Later
 from yamaro.commands.main import main
+
+if TYPE_CHECKING:
+    import trimesh
+else:
+    trimesh = Later("trimesh")
 
 NUMBERS = ["1e110", "1e200", "1e308", "1e-110", "1e-320", "inf", "nan", "-1e200", "0", "9" * 400]
 SHAPES = [

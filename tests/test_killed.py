@@ -21,7 +21,7 @@ from yamaro.output import write_file
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="has no kill -9")
 
-KILLS = examples(200)
+KILLS = examples(150)
 MOST_TURNS = 1000
 VERSIONS = [b"".join(killed_writer.chunks_of(version)) for version in (0, 1)]
 

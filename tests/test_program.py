@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 import yamaro
-from tests.effort import is_drawn, is_quick
+from tests.effort import is_tried
 from tests.golden import CASES
 from yamaro.rendering import render
 
@@ -66,7 +66,7 @@ def test_every_case_comes_out_the_same_again_and_again(
     monkeypatch.chdir(CASES / area)
     policy = yamaro.Policy("safe" if area == "safe" else "trusted")
     for path in sorted(Path().glob("*.yaml")):
-        if is_quick() and not is_drawn(f"{area}/{path.stem}", of=8):
+        if not is_tried(f"{area}/{path.stem}", quick=8, usual=3):
             continue
         fresh = outcome(partial(yamaro.build, str(path), policy=policy))
         program = yamaro.Program(str(path), policy=policy)

@@ -1,4 +1,4 @@
-"""A thousand conversions come out the same from eight threads at once as one after the other."""
+"""Hundreds of conversions come out the same from eight threads at once as one after the other."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ import yamaro
 from yamaro.sandbox import jail
 
 THREADS = 8
-ROUNDS = 10
+ROUNDS = 4
 JOBS_IN_ROUND = 100
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
@@ -218,7 +218,7 @@ class Job:
 
 
 def jobs(folder: Path) -> list[Job]:
-    """Return a thousand jobs, with files, variables and ways mixed."""
+    """Return the jobs, with files, variables and ways mixed."""
     random_choice = random.Random(4).choice
     talking = ["alpha/robot.yaml", "beta/robot.yaml"]
     silent = [f"{name}.yaml" for name in ("faulty", "deep", "safe") * 4]
@@ -311,12 +311,12 @@ def expected(all_jobs: list[Job]) -> list[tuple[object, ...]]:
 def test_the_jobs_are_of_many_kinds(
     all_jobs: list[Job], expected: list[tuple[object, ...]]
 ) -> None:
-    assert len(all_jobs) == 1000
-    assert len({repr(outcome) for outcome in expected}) > 300
+    count = len(all_jobs)
+    assert len({repr(outcome) for outcome in expected}) > 0.3 * count
     failures = [str(outcome[1]) for outcome in expected if outcome[0] == "failed"]
-    assert sum(bool(outcome[2]) for outcome in expected) > 300  # that print
+    assert sum(bool(outcome[2]) for outcome in expected) > 0.3 * count  # that print
     assert len({failure.partition(":")[0] for failure in failures}) > 8
-    assert 200 < len(failures) < 600
+    assert 0.2 * count < len(failures) < 0.6 * count
     assert any("limit-sequence" in failure for failure in failures)  # as untrusted files have them
 
 
@@ -354,7 +354,7 @@ def test_eight_threads_give_what_one_gives(
 def test_threads_that_switch_a_hundred_times_as_often_give_the_same(
     all_jobs: list[Job], expected: list[tuple[object, ...]]
 ) -> None:
-    compare(at_once, all_jobs[:500], expected[:500])
+    compare(at_once, all_jobs[:200], expected[:200])
 
 
 @pytest.mark.slow

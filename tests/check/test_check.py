@@ -6,14 +6,15 @@ import re
 import shutil
 import subprocess
 from pathlib import Path
+from typing import TYPE_CHECKING
 from xml.parsers import expat
 
 import pytest
-import trimesh
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from tests.counting import calls_of
+from tests.later import Later
 from yamaro.check.robot import check
 from yamaro.check.semantics import findings_against
 from yamaro.diagnostics import WARNING, Diagnostic, Reporter
@@ -24,6 +25,11 @@ from yamaro.model.values import read_numbers
 from yamaro.rendering import render
 from yamaro.source import Source, Span
 from yamaro.xml.tree import Comment, Element, Text
+
+if TYPE_CHECKING:
+    import trimesh
+else:
+    trimesh = Later("trimesh")
 
 
 class UrdfReader:

@@ -4,12 +4,13 @@
 (require 'json)
 (require 'eglot)
 (load (getenv "YAMARO_SETUP"))
-(setq eglot-sync-connect 60 eglot-connect-timeout 60 eglot-confirm-server-initiated-edits nil
+(setq eglot-sync-connect 300 eglot-connect-timeout 300 eglot-confirm-server-initiated-edits nil
       completion-category-overrides '((eglot (styles basic)))
       eglot-send-changes-idle-time 0.05 flymake-no-changes-timeout 0.1 eglot-autoshutdown nil)
 (setq eglot-server-programs
       (list (cons '(yamaro-mode nxml-mode)
-                  (append (json-read-from-string (getenv "YAMARO_COMMAND")) nil))))
+                  (append (json-read-from-string (getenv "YAMARO_COMMAND"))
+                          '(:initializationOptions (:timeout 300000))))))
 (add-to-list 'auto-mode-alist '("\\.xacro\\'" . nxml-mode))
 (defvar told nil)
 (defun tell (key value) (push (cons key value) told))
@@ -17,7 +18,7 @@
   (with-temp-file (getenv "YAMARO_RESULT") (insert (json-encode told)))
   (kill-emacs 0))
 (defun need (what condition)
-  (let ((limit (+ (float-time) 30)))
+  (let ((limit (+ (float-time) 300)))
     (while (and (not (funcall condition)) (< (float-time) limit))
       (accept-process-output nil 0.05))
     (tell (concat "reached " what) (if (funcall condition) t :json-false))

@@ -9,7 +9,7 @@ local function finish()
 end
 
 local function need(what, condition)
-  local ok = vim.wait(20000, condition, 20)
+  local ok = vim.wait(300000, condition, 20)
   told['reached ' .. what] = ok
   if not ok then
     finish()
@@ -43,7 +43,7 @@ local client = vim.lsp.start_client({
   name = 'yamaro',
   cmd = command,
   root_dir = vim.fn.getcwd(),
-  init_options = { inlayHints = true, packages = { rover_description = vim.fn.getcwd() } },
+  init_options = { inlayHints = true, timeout = 300000, packages = { rover_description = vim.fn.getcwd() } },
   capabilities = vim.lsp.protocol.make_client_capabilities(),
 })
 vim.lsp.buf_attach_client(0, client)
@@ -58,7 +58,7 @@ local function request(method, more)
   for key, value in pairs(more or {}) do
     parameters[key] = value
   end
-  local answer = vim.lsp.buf_request_sync(0, method, parameters, 20000)
+  local answer = vim.lsp.buf_request_sync(0, method, parameters, 300000)
   return answer and answer[client] and answer[client].result
 end
 
@@ -167,7 +167,7 @@ local function run()
   go('made = 3', 1)
   local position = vim.lsp.util.make_position_params(0, vim.lsp.get_client_by_id(client).offset_encoding)
   position.newName = 'other'
-  told.refused = vim.lsp.buf_request_sync(0, 'textDocument/rename', position, 20000)[client].error.message
+  told.refused = vim.lsp.buf_request_sync(0, 'textDocument/rename', position, 300000)[client].error.message
   go('$(reach)', 3)
   told.highlights = #request('textDocument/documentHighlight')
   go('joint: {type', 1)
@@ -175,8 +175,8 @@ local function run()
 
   -- links, folds
   local document = { textDocument = { uri = vim.uri_from_bufnr(0) } }
-  told.folds = #(vim.lsp.buf_request_sync(0, 'textDocument/foldingRange', document, 20000)[client].result)
-  told.links = #(vim.lsp.buf_request_sync(0, 'textDocument/documentLink', document, 20000)[client].result)
+  told.folds = #(vim.lsp.buf_request_sync(0, 'textDocument/foldingRange', document, 300000)[client].result)
+  told.links = #(vim.lsp.buf_request_sync(0, 'textDocument/documentLink', document, 300000)[client].result)
   if is_new then
     need('tokens', function()
       local tokens = vim.lsp.semantic_tokens.get_at_pos(0, 2, 3)
@@ -190,9 +190,9 @@ local function run()
   -- formatting
   vim.api.nvim_buf_set_lines(0, 0, 1, false, { 'robot:    rover' })
   if vim.lsp.buf.format then
-    vim.lsp.buf.format({ timeout_ms = 20000 })
+    vim.lsp.buf.format({ timeout_ms = 300000 })
   else
-    vim.lsp.buf.formatting_sync(nil, 20000)
+    vim.lsp.buf.formatting_sync(nil, 300000)
   end
   told.formatted = vim.api.nvim_buf_get_lines(0, 0, 1, false)[1]
 

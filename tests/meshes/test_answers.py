@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
-import trimesh
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.later import Later
 from yamaro.meshes.formats import MeshFileError, MissingLibraryError
 from yamaro.meshes.surfaces import Surface, _packed, read_packed, unpacked
 from yamaro.sandbox.jail.protocol import JailAnswerBroken
+
+if TYPE_CHECKING:
+    import trimesh
+else:
+    trimesh = Later("trimesh")
 
 
 def square() -> Surface:

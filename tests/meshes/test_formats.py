@@ -3,25 +3,36 @@
 from __future__ import annotations
 
 import io
+from functools import cache
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import PIL.Image
 import pytest
-import trimesh
 
+from tests.later import Later
 from yamaro.meshes.formats import MeshFileError, image_format, mesh_format
 from yamaro.meshes.triangles import read_mesh
 
-BALL = trimesh.creation.icosphere(subdivisions=1)
+if TYPE_CHECKING:
+    import trimesh
+else:
+    trimesh = Later("trimesh")
+
 KINDS = ["stl", "stl_ascii", "obj", "dae", "glb", "ply", "off"]
+
+
+@cache
+def ball() -> trimesh.Trimesh:
+    return trimesh.creation.icosphere(subdivisions=1)
 
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_mesh_is_known_by_its_bytes_under_any_name(kind: str, tmp_path: Path) -> None:
     path = tmp_path / "ball.png"
-    BALL.export(path, file_type=kind)
+    ball().export(path, file_type=kind)
     assert mesh_format(path.read_bytes()) == kind.removesuffix("_ascii")
-    assert len(read_mesh(str(path)).triangles) == len(BALL.faces)
+    assert len(read_mesh(str(path)).triangles) == len(ball().faces)
 
 
 @pytest.mark.parametrize("kind", ["PNG", "JPEG", "GIF", "WEBP", "BMP", "TIFF", "TGA"])

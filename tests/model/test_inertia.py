@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from scipy.spatial.transform import Rotation as Judge
 
 from tests.effort import examples
+from tests.later import Later
 from yamaro.model.inertia import principal_axes
 from yamaro.model.pose import quaternion_from_rotation, rotation_from_quaternion
+
+if TYPE_CHECKING:
+    from scipy.spatial.transform import Rotation as Judge
+else:
+    Judge = Later("scipy.spatial.transform", "Rotation")
 
 moments = st.floats(0, 1e3)
 parts = st.floats(-1, 1)

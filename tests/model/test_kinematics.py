@@ -6,17 +6,22 @@ from collections.abc import Iterator, Mapping
 from itertools import pairwise
 from math import pi
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
-from scipy.spatial.transform import Rotation
 
 from tests.consumers import oracles
+from tests.later import Later
 from tests.model.robots import EXAMPLES, JOINTS
 from yamaro import Robot, build
 from yamaro.model import Pose
 from yamaro.model.kinematics import base_of, joint_positions
+
+if TYPE_CHECKING:
+    from scipy.spatial.transform import Rotation
+else:
+    Rotation = Later("scipy.spatial.transform", "Rotation")
 
 REPOSITORY = Path(__file__).parents[2]
 CORPUS = REPOSITORY.parent / "shared" / "corpus"

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from lxml import etree
 
+from tests.effort import tried
 from yamaro.model import Robot
 
 CORPUS = Path(__file__).parents[3] / "shared" / "corpus"
@@ -84,7 +85,7 @@ def surfaces(root: etree._Element) -> Counter[str]:
     return +Counter({link: counts.get(link, 0) for link in links})
 
 
-@pytest.mark.parametrize("path", robots() if CORPUS.exists() else [])
+@pytest.mark.parametrize("path", tried(robots(), str, quick=20, usual=4) if CORPUS.exists() else [])
 def test_all_that_xpath_finds_is_recognized(path: str) -> None:
     root = etree.parse(CORPUS / path).getroot()
     robot = Robot.from_urdf(CORPUS / path)

@@ -2,17 +2,23 @@
 
 import pickle
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
-from scipy.spatial.transform import Rotation
 
 import yamaro
+from tests.later import Later
 from tests.model.robots import JOINTS
 from yamaro import Robot, YamaroError, build
 from yamaro.model import Box, Capsule, Cylinder, Joint, Link, Mesh, Pose, Sphere, Visual
 from yamaro.model.reading import read_robot
 from yamaro.xml.tree import Element
+
+if TYPE_CHECKING:
+    from scipy.spatial.transform import Rotation
+else:
+    Rotation = Later("scipy.spatial.transform", "Rotation")
 
 MATERIALS = '<material name="red"><color rgba="1 0 0 0.5"/></material><material name="none"/>'
 ARM_OF_PARTS = """\

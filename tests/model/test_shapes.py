@@ -4,14 +4,20 @@ from __future__ import annotations
 
 import struct
 from math import pi
+from typing import TYPE_CHECKING
 
 import pytest
-import trimesh
 
+from tests.later import Later
 from yamaro.meshes.formats import MeshFileError, MissingLibraryError, mesh_ending
 from yamaro.meshes.triangles import TriangleMesh, is_closed, read_mesh
 from yamaro.model.inertia import solid_moments
 from yamaro.model.shapes import Box, Capsule, Cylinder, MeshSolid, Sphere
+
+if TYPE_CHECKING:
+    import trimesh
+else:
+    trimesh = Later("trimesh")
 
 CUBE = TriangleMesh(
     [(x, y, z) for x in (0.0, 1.0) for y in (0.0, 1.0) for z in (0.0, 1.0)],

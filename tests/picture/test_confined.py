@@ -8,10 +8,11 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 from time import monotonic
+from typing import TYPE_CHECKING
 
 import pytest
-import trimesh
 
+from tests.later import Later
 from tests.picture.drawing import needs_drawing
 from tests.waiting import PATIENCE
 from yamaro.confined import Reader
@@ -21,6 +22,11 @@ from yamaro.picture import meshes
 from yamaro.picture.meshes import read_meshes
 from yamaro.policy import Policy
 from yamaro.sandbox.jail import check_available
+
+if TYPE_CHECKING:
+    import trimesh
+else:
+    trimesh = Later("trimesh")
 
 pytestmark = needs_drawing
 needs_jail = pytest.mark.skipif(check_available() is not None, reason="needs a jail")

@@ -1,13 +1,19 @@
 """Robots that nobody should write are drawn, or refused, but never end in a fault."""
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
-import trimesh
 
 from tests.effort import sample
+from tests.later import Later
 from tests.picture.drawing import needs_drawing, picture, pixels
+
+if TYPE_CHECKING:
+    import trimesh
+else:
+    trimesh = Later("trimesh")
 
 pytestmark = needs_drawing
 

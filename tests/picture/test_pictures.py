@@ -3,12 +3,13 @@
 import subprocess
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
-import trimesh
 
 from tests.effort import sample
+from tests.later import Later
 from tests.picture.drawing import (
     SIZE,
     box_of,
@@ -21,6 +22,11 @@ from tests.picture.drawing import (
 )
 from tests.waiting import PATIENCE
 from yamaro.commands.main import main
+
+if TYPE_CHECKING:
+    import trimesh
+else:
+    trimesh = Later("trimesh")
 
 pytestmark = needs_drawing
 

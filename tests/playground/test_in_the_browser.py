@@ -286,9 +286,10 @@ def test_the_robot_is_seen_before_python_has_started(page: Playground) -> None:
 
 
 def test_the_viewer_and_the_editor_follow_each_other(page: Playground) -> None:
-    page.choose("pan_tilt")
     view = "document.getElementById('viewer').contentWindow"
-    page.wait_for(f"Boolean({view}.yamaro?.robot)")
+    for example in ("arm", "pan_tilt"):  # of a robot that was seen before, no place is opened
+        page.choose(example)
+        page.wait_for(f"{view}.yamaro?.robot?.name === '{example}'")
     page.run(f"{view}.document.getElementById('tree').querySelector('.row').click()")
     page.wait_for(f"!{view}.document.getElementById('origin').hidden")
     page.run(f"{view}.document.getElementById('origin-open').click()")

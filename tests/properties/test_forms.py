@@ -13,7 +13,7 @@ from typing import Any
 
 import pytest
 
-from tests.effort import is_drawn, is_quick
+from tests.effort import is_tried
 from tests.example_files import PROGRAMS
 from tests.golden import case_id, find_cases, read_options
 from yamaro.commands.main import main
@@ -159,7 +159,7 @@ def test_cases_give_the_same_in_both_forms(
         options = read_options(case)
         if case.parent.name != area or case.stem in ABOUT_THE_FORM or "command" in options:
             continue
-        if is_quick() and not is_drawn(case_id(case), of=4):
+        if not is_tried(case_id(case), quick=6, usual=3):
             continue
         with monkeypatch.context() as patch:
             for setting in shlex.split(options.get("env", "")):

@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy
 import pytest
-import trimesh
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.later import Later
 from yamaro.meshes.triangles import TriangleMesh, is_closed, read_mesh
 from yamaro.model.inertia import solid_moments
 from yamaro.model.shapes import Box, Capsule, Cylinder, MeshSolid, Sphere
+
+if TYPE_CHECKING:
+    import trimesh
+else:
+    trimesh = Later("trimesh")
 
 sizes = st.floats(1e-4, 100)
 masses = st.floats(1e-6, 1e5)

@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from tests.effort import is_drawn, is_quick
+from tests.effort import is_tried
 from tests.example_files import PROGRAMS
 from tests.golden import case_id, find_cases, read_options
 
@@ -59,7 +59,7 @@ def plain_cases() -> list[Path]:
     return [
         case
         for case in find_cases()
-        if (not is_quick() or is_drawn(case_id(case), of=4))
+        if is_tried(case_id(case), quick=4, usual=2)
         and case.with_suffix(".xml").exists()
         and not read_options(case)
         and not any(word in case.read_text(encoding="utf-8") for word in ABOUT_THE_PLACE)
@@ -71,7 +71,8 @@ def failing_cases() -> list[Path]:
     return [
         case
         for case in find_cases()
-        if not case.with_suffix(".xml").exists()
+        if is_tried(case_id(case), quick=4, usual=3)
+        and not case.with_suffix(".xml").exists()
         and not read_options(case)
         and not case.stem.startswith("recursion-in")
     ]
@@ -118,17 +119,7 @@ def expected_errors() -> dict[str, Any]:
     return results
 
 
-def test_the_seed_of_hashes_changes_nothing(files: list[Path], expected: dict[str, Any]) -> None:
-    assert build_all(files, PYTHONHASHSEED="1") == expected
-
-
-@pytest.mark.slow
-def test_the_seed_of_hashes_changes_no_message(expected_errors: dict[str, Any]) -> None:
-    assert build_all(failing_cases(), PYTHONHASHSEED="1") == expected_errors
-
-
-@pytest.mark.slow
-def test_another_seed_and_the_order_of_folders_change_nothing(
+def test_the_seed_of_hashes_and_the_order_of_folders_change_nothing(
     files: list[Path], expected: dict[str, Any], expected_errors: dict[str, Any]
 ) -> None:
     other: dict[str, Any] = {"prelude": OTHER_ORDER, "PYTHONHASHSEED": "4242"}
@@ -148,12 +139,13 @@ def test_the_working_directory_changes_nothing(
 
 
 @pytest.mark.slow
-def test_a_locale_of_ascii_changes_nothing(
+def test_a_locale_of_ascii_and_an_optimised_python_change_nothing(
     files: list[Path], expected: dict[str, Any], expected_errors: dict[str, Any]
 ) -> None:
-    ascii_only: dict[str, Any] = {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONIOENCODING": "utf-8"}
-    assert build_all(files, **ascii_only) == expected
-    assert build_all(failing_cases(), **ascii_only) == expected_errors
+    other: dict[str, Any] = {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONIOENCODING": "utf-8"}
+    other["PYTHONOPTIMIZE"] = "2"
+    assert build_all(files, **other) == expected
+    assert build_all(failing_cases(), **other) == expected_errors
 
 
 @pytest.mark.slow
@@ -167,11 +159,6 @@ def test_a_host_that_writes_numbers_with_a_comma_changes_nothing(
         pytest.skip("the system has no sources of locales")
     got = build_all(files, prelude=HOST_OF_THE_LOCALE, LC_ALL=made.name, LOCPATH=str(tmp_path))
     assert got == expected
-
-
-@pytest.mark.slow
-def test_optimised_python_changes_nothing(files: list[Path], expected: dict[str, Any]) -> None:
-    assert build_all(files, PYTHONOPTIMIZE="2") == expected
 
 
 def other_pythons() -> list[str]:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from math import pi
+from typing import TYPE_CHECKING
 
 import numpy
 from hypothesis import given
 from hypothesis import strategies as st
-from scipy.spatial.transform import Rotation
 
+from tests.later import Later
 from tests.robot.part_builder import lower_text
 from yamaro.model.pose import (
     multiply,
@@ -18,6 +19,11 @@ from yamaro.model.pose import (
 from yamaro.robot.pose import Pose, compose_poses
 from yamaro.source import Source, Span
 from yamaro.xml.values import Numbers
+
+if TYPE_CHECKING:
+    from scipy.spatial.transform import Rotation
+else:
+    Rotation = Later("scipy.spatial.transform", "Rotation")
 
 angles = st.one_of(
     st.floats(-2 * pi, 2 * pi),

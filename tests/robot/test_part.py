@@ -3,16 +3,23 @@
 from __future__ import annotations
 
 from math import pi
+from typing import TYPE_CHECKING
 
 import numpy
 import pytest
-import trimesh
-from scipy.spatial.transform import Rotation
 
+from tests.later import Later
 from tests.robot.part_builder import build, error_of, errors_of, lower_text, lower_tree
 from yamaro.diagnostics import Frame, Reporter, YamaroError
 from yamaro.robot.part import lower
 from yamaro.xml.tree import Element, PartElement, Text
+
+if TYPE_CHECKING:
+    import trimesh
+    from scipy.spatial.transform import Rotation
+else:
+    trimesh = Later("trimesh")
+    Rotation = Later("scipy.spatial.transform", "Rotation")
 
 WHEEL = """
 part:

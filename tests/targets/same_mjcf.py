@@ -9,8 +9,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-import mujoco
 import numpy as np
+
+from tests.later import Later
+
+if TYPE_CHECKING:
+    import mujoco
+else:
+    mujoco = Later("mujoco")
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

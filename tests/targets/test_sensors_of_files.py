@@ -2,14 +2,21 @@
 
 from __future__ import annotations
 
+from importlib.util import find_spec
 from math import cos, pi, sin
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pytest
 
 import yamaro
+from tests.later import Later
 
-mujoco = pytest.importorskip("mujoco")
+pytestmark = pytest.mark.skipif(not find_spec("mujoco"), reason="needs MuJoCo")
+if TYPE_CHECKING:
+    import mujoco
+else:
+    mujoco = Later("mujoco")
 
 SOLID = """<inertial><mass value="1"/>
   <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>"""

@@ -7,19 +7,24 @@ import json
 import math
 from itertools import product
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from trimesh.transformations import euler_matrix
 
+from tests.later import Later
 from yamaro import build
 from yamaro.commands.main import main
 from yamaro.sandbox.transfer import Outcome, from_bytes, to_bytes
 from yamaro.source import Reading, RecordedSpan, Source, Span
 from yamaro.tools.why.answers import Answer, addresses, answer
 from yamaro.xml.tree import Element, Text
+
+if TYPE_CHECKING:
+    from trimesh.transformations import euler_matrix
+else:
+    euler_matrix = Later("trimesh.transformations", "euler_matrix")
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SUFFIXES = ("", "_link", "_joint", "_optical", "_optical_joint")

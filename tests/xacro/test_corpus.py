@@ -11,6 +11,7 @@ from xml.dom import minidom
 
 import pytest
 
+from tests.effort import tried
 from tests.xacro.xacro_host import FileHost, expand_file
 from yamaro.declared_arguments import listing_of
 from yamaro.files.loader import FileLoader
@@ -39,6 +40,10 @@ def rows() -> list[dict[str, str]]:
         return list(csv.DictReader(file, delimiter="\t", quoting=csv.QUOTE_NONE))
 
 
+def name_of(row: dict[str, str]) -> str:
+    return f"{row['path']} {row['args']}".strip()
+
+
 def shape_expected(node: Any) -> object:
     """Return names, attributes and the words of each text, in order."""
     if isinstance(node, minidom.Element):
@@ -55,7 +60,7 @@ def shape_made(node: Node) -> object:
     return "" if isinstance(node, Comment) else " ".join(str(node.value).split())
 
 
-@pytest.mark.parametrize("row", rows(), ids=lambda row: f"{row['path']} {row['args']}".strip())
+@pytest.mark.parametrize("row", tried(rows(), name_of, quick=20, usual=4), ids=name_of)
 def test_a_robot_is_expanded_as_xacro_does(
     row: dict[str, str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -73,7 +78,7 @@ def test_a_robot_is_expanded_as_xacro_does(
     assert shape_made(made) == shape_expected(expected.documentElement)
 
 
-@pytest.mark.parametrize("row", rows(), ids=lambda row: f"{row['path']} {row['args']}".strip())
+@pytest.mark.parametrize("row", tried(rows(), name_of, quick=20, usual=6), ids=name_of)
 def test_the_arguments_of_a_robot_are_those_that_xacro_knows(
     row: dict[str, str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

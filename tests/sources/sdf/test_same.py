@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -10,7 +11,7 @@ import pytest
 import yamaro
 from tests.sources.sdf.same_sdf import Same, lost_texts
 
-pytest.importorskip("pydrake")
+pytestmark = pytest.mark.skipif(not find_spec("pydrake"), reason="needs Drake")
 
 MASS = """<inertial><pose>0.01 0.02 0.03 0.1 0.2 0.3</pose><mass>1.5</mass><inertia><ixx>0.02</ixx>
 <ixy>0.001</ixy><ixz>0.002</ixz><iyy>0.03</iyy><iyz>0.003</iyz><izz>0.04</izz></inertia></inertial>"""

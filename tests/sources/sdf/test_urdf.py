@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
@@ -10,8 +11,9 @@ import yamaro
 from tests.sources.sdf.same_sdf import Loaded, faults_of_urdf
 from tests.sources.sdf.test_same import MODELS
 
-pytest.importorskip("pydrake")
-pytest.importorskip("pinocchio")
+pytestmark = pytest.mark.skipif(
+    not (find_spec("pydrake") and find_spec("pinocchio")), reason="needs Drake and pinocchio"
+)
 
 HELD = [
     "at the link", "beside the link", "along its axis", "a slider beside the link",

@@ -53,7 +53,8 @@ class Client:
                 "processId": os.getpid(),
                 "rootUri": uri,
                 "capabilities": capabilities or {},
-                "initializationOptions": options or {},
+                # On a busy machine a build takes longer than the default.
+                "initializationOptions": {"timeout": PATIENCE * 1000, **(options or {})},
                 "workspaceFolders": [{"uri": uri, "name": "work"}] if uri else None,
             },
         )

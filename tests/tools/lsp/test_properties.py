@@ -40,9 +40,9 @@ def _open(path: Path, text: str) -> tuple[Workspace, Text]:
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
 def test_completion_answers_at_prefixes_of_the_examples(path):
-    """Every prefix of a random sample; all of them with --slow."""
+    """Of each example, prefixes that are drawn at random."""
     text = path.read_text(encoding="utf-8")
-    count = len(text) if examples(10) > 10 else 25
+    count = examples(125)
     chosen = random.Random(path.stem).sample(range(len(text) + 1), min(count, len(text)))
     for offset in chosen:
         workspace, opened = _open(path, text[:offset])
@@ -67,7 +67,7 @@ def test_every_feature_answers_anywhere_in_broken_examples(path):
 
 
 def test_the_document_equals_the_editors_after_any_edits():
-    """10,000 edits with --slow, a fifth of them otherwise."""
+    """10,000 edits in the whole run."""
     chooser = random.Random(11)
     path = ROOT / "examples" / "any.yaml"
     text = EXAMPLES[0].read_text(encoding="utf-8")

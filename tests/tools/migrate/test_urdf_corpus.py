@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.effort import tried
 from tests.same_robot import is_same_robot
 from yamaro.api import build
 from yamaro.policy import Limits
@@ -35,7 +36,7 @@ def sources() -> dict[str, str]:
     return {}
 
 
-@pytest.mark.parametrize("path", paths())
+@pytest.mark.parametrize("path", tried(paths(), str, quick=20, usual=5))
 def test_a_robot_comes_back_the_same(path: str, sources: dict[str, str]) -> None:
     file = CORPUS / "src" / path
     migration = migrate_file(str(file), Limits())
@@ -48,8 +49,8 @@ def test_a_robot_comes_back_the_same(path: str, sources: dict[str, str]) -> None
 
 
 def test_half_of_them_take_at_most_six_tenths_of_the_lines(sources: dict[str, str]) -> None:
-    if len(sources) < len(paths()):
-        pytest.skip("not all of them were migrated")
+    if len(sources) < 20:  # as with two processes
+        pytest.skip("too few of them were migrated")
     shares = [
         source.count("\n") / len((CORPUS / "src" / path).read_bytes().splitlines())
         for path, source in sources.items()

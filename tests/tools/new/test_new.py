@@ -95,7 +95,9 @@ def test_a_package_is_made_in_a_workspace(here: Path) -> None:
 @pytest.mark.usefixtures("no_picture")
 def test_the_robot_is_as_it_should_be(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["new", "rover"]) == 0
-    files = [str(each) for each in (here / "rover").glob("*/*.yaml") if each.parent.name != "config"]
+    files = [
+        str(each) for each in (here / "rover").glob("*/*.yaml") if each.parent.name != "config"
+    ]
     assert main(["fmt", "--check", *files]) == 0
     robot = "rover/urdf/rover.yaml"
     for camera in ("true", "false"):

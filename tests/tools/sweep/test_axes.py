@@ -5,20 +5,25 @@ from __future__ import annotations
 import json
 import math
 from collections import Counter
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from scipy import stats
 
 from tests.effort import examples
+from tests.later import Later
 from yamaro.declared_arguments import Declared, declared_of
 from yamaro.diagnostics import InputFault
 from yamaro.source import Source
 from yamaro.tools.sweep.axes import Axis, axis_of_data, axis_of_text
 from yamaro.tools.sweep.plan import axis_of
+
+if TYPE_CHECKING:
+    from scipy import stats
+else:
+    stats = Later("scipy.stats")
 
 ROBOT = """\
 arguments:

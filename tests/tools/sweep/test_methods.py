@@ -3,15 +3,21 @@
 from __future__ import annotations
 
 import itertools
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from scipy import stats
 
 from tests.effort import examples
+from tests.later import Later
 from yamaro.tools.sweep.plan import GRID, LATIN, METHODS, RANDOM, SOBOL, Method
+
+if TYPE_CHECKING:
+    from scipy import stats
+else:
+    stats = Later("scipy.stats")
 
 SEEDS = st.integers(0, 2**63 - 1)
 

@@ -3,19 +3,26 @@
 from __future__ import annotations
 
 from math import cos, pi, sqrt
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
-from scipy.optimize import brentq, minimize
 
 import yamaro
 from tests.consumers.oracles import require_module
+from tests.later import Later
 from tests.tools.sweep.robots import EXAMPLES, elbow_arm, joint, robot_of, variant_of
 from yamaro.model.positions import home_positions
 from yamaro.model.shapes import Box, Cylinder, Sphere
 from yamaro.tools.sweep.evaluation import Evaluation
 from yamaro.tools.sweep.geometry import Chain, bounding_box, reach, tips_of, workspace
 from yamaro.tools.sweep.metrics import compiled, hold, lowest_point, without_sensors
+
+if TYPE_CHECKING:
+    from scipy.optimize import brentq, minimize
+else:
+    brentq = Later("scipy.optimize", "brentq")
+    minimize = Later("scipy.optimize", "minimize")
 
 ROBOTS = ["quadruped/quadruped.yaml", "hexapod/hexapod.yaml", "arm/arm.yaml"]
 
