@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from tests import tutorial
+from tests.effort import tried
 from tests.picture.drawing import needs_drawing, pixels
 from yamaro.commands.main import main
 
@@ -37,7 +38,7 @@ def reduced(image: np.ndarray, by: int = 4) -> np.ndarray:
 @needs_drawing
 @pytest.mark.parametrize(
     "name",
-    [pytest.param(name, marks=[pytest.mark.slow] * (name != QUICK)) for name in PICTURES],
+    [QUICK, *tried([name for name in PICTURES if name != QUICK], str, quick=16, usual=3)],
 )
 def test_a_picture_of_the_docs_is_what_is_drawn_now(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -11,13 +11,14 @@ from pathlib import Path
 import pytest
 import yaml
 
+from tests import effort
 from yamaro import YamaroError
 from yamaro.source import Source
 from yamaro.syntax.nodes import Document, FunctionsNode, Parsed, VariablesNode
 from yamaro.syntax.parser import parse
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
-DELETIONS = 1_000
+DELETIONS = effort.examples(1_000)
 
 TWO_FAULTS = """\
 variables:

@@ -13,8 +13,8 @@ from typing import Any
 import pytest
 import yaml
 
-from tests.effort import is_quick
-from tests.golden import CASES
+from tests.effort import tried
+from tests.golden import CASES, case_id, find_cases
 from tests.waiting import PATIENCE
 from yamaro.yaml.pure import PureParser
 
@@ -62,7 +62,7 @@ def edited(text: str, random: random.Random) -> str:
 def test_the_events_of_all_cases_are_those_of_libyaml_also_with_random_edits() -> None:
     draw = random.Random(7)
     count, faulty, disputed = 0, 0, []
-    for text in list(texts())[:: 8 if is_quick() else 1]:
+    for text in tried(texts(), str, quick=8, usual=3):
         for given in (text, *(edited(text, draw) for _ in range(3))):
             expected, is_yaml = events_of(yaml.CSafeLoader, given)
             events, is_accepted = events_of(PureParser, given)
@@ -110,10 +110,11 @@ sys.exit(pytest.main(sys.argv[1:]))
 
 
 @pytest.mark.slow
-def test_all_cases_give_the_same_bytes_and_messages_without_libyaml() -> None:
-    names = "tests/test_cases.py::test_case_gives_exactly_what_is_expected"
+def test_cases_give_the_same_bytes_and_messages_without_libyaml() -> None:
+    test = "tests/test_cases.py::test_case_gives_exactly_what_is_expected"
+    names = [f"{test}[{name}]" for name in tried(map(case_id, find_cases()), str, quick=8, usual=3)]
     once = "--hypothesis-profile=quick"  # most cases are compiled once, not three times
-    options = ["-q", "-p", "no:cacheprovider", "-p", "no:xdist", once, names]
+    options = ["-q", "-p", "no:cacheprovider", "-p", "no:xdist", once, *names]
     environment = {
         k: v for k, v in os.environ.items() if not k.startswith(("COVERAGE_", "PYTEST_"))
     }
