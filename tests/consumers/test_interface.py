@@ -17,6 +17,7 @@ import pytest
 import yamaro
 from tests.consumers import interface_judges as judges
 from tests.consumers import oracles
+from tests.consumers.driven import ONE_JOINT, saved
 from tests.consumers.test_examples import ROBOTS, name_of
 
 ROOT = Path(__file__).parents[2]
@@ -111,12 +112,6 @@ def interface_of(path: Path, **options: Any) -> Interface:
     found: Interface = json.loads(build.xml())
     jsonschema.validate(found, SCHEMA)
     return found
-
-
-def saved(folder: Path, text: str) -> Path:
-    path = folder / ("robot.urdf" if text.startswith("<") else "robot.yaml")
-    path.write_text(text, encoding="utf-8")
-    return path
 
 
 def check(path: Path, consumer: str, folder: Path, **options: Any) -> None:
@@ -281,22 +276,7 @@ model:
 )
 def test_gains_are_those_of_mjcf(actuator: str, chosen: list[str] | None, tmp_path: Path) -> None:
     mujoco = oracles.require_module("mujoco")
-    text = f"""
-robot: pair
-base: fixed
-model:
-- part: {{name: base, link: {{geometry: box, size: 1 1 1, mass: 1}}}}
-- part:
-    name: arm
-    joint:
-      type: revolute
-      parent: base
-      axis: z
-      limit: {{lower: -1, upper: 1, effort: 5, velocity: 2}}
-      actuator: {actuator}
-    link: {{geometry: box, size: 0.1 0.2 0.3, mass: 1}}
-"""
-    path = saved(tmp_path, text)
+    path = saved(tmp_path, ONE_JOINT.format(actuator=actuator))
     model = mujoco.MjModel.from_xml_string(yamaro.build(path, target="mjcf").xml())
     (joint,) = interface_of(path)["joints"]
     own, driven = joint["actuator"], model.actuator("arm_joint")

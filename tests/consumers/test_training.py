@@ -17,6 +17,7 @@ from hypothesis import strategies as st
 
 import yamaro
 from tests.consumers import oracles, training_stubs
+from tests.consumers.driven import ONE_JOINT, saved
 from tests.consumers.test_examples import ROBOTS, name_of
 from yamaro.commands.main import main
 from yamaro.targets.training import LINE, Call, Code, python
@@ -76,12 +77,6 @@ def effort_of(group: Any) -> float:
     given = [getattr(group, name, None) for name in names]
     (value,) = {each for each in given if each is not None}
     return float(value)
-
-
-def saved(folder: Path, text: str) -> Path:
-    path = folder / "robot.yaml"
-    path.write_text(text, encoding="utf-8")
-    return path
 
 
 # --- G1, as HybridRobotics/whole_body_tracking publishes it (commit cd65172), robots/g1.py --------
@@ -297,23 +292,6 @@ def configured(build, folder: Path):
     return training_stubs.run(folder / "robot.py")
 
 
-ACTUATORS = """
-robot: kinds
-base: fixed
-model:
-- part: {{name: base, link: {{geometry: box, size: 1 1 1, mass: 1}}}}
-- part:
-    name: arm
-    joint:
-      type: revolute
-      parent: base
-      axis: z
-      limit: {{lower: -1, upper: 1, effort: 5, velocity: 2}}
-      actuator: {actuator}
-    link: {{geometry: box, size: 0.1 0.2 0.3, mass: 1}}
-"""
-
-
 @pytest.mark.parametrize(
     ("actuator", "mjlab", "isaac", "values"),
     [
@@ -345,7 +323,7 @@ def test_kinds_of_actuators(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    path = saved(tmp_path, ACTUATORS.format(actuator=actuator))
+    path = saved(tmp_path, ONE_JOINT.format(actuator=actuator))
     for framework, kind in (("mjlab", f"{mjlab}Actuator"), ("isaaclab 2.3", isaac)):
         config = loaded(path, framework, monkeypatch)
         (group,) = groups_of(config)
@@ -372,7 +350,7 @@ def test_isaac_lab_alone_drives_the_joints_that_take_efforts(
 ) -> None:
     """Isaac Lab 3.0 on Newton has the actuators of the USD as well, which would act twice."""
     pytest.importorskip("pxr")
-    path = saved(tmp_path, ACTUATORS.format(actuator="{command: effort}"))
+    path = saved(tmp_path, ONE_JOINT.format(actuator="{command: effort}"))
     assert 'NewtonActuator "' in yamaro.build(path, target="usd").xml()
     usd = Path(loaded(path, "isaaclab 3.0", monkeypatch)["ROBOT_CFG"].spawn.usd_path)
     text = usd.read_text(encoding="utf-8")
@@ -386,7 +364,7 @@ def test_a_motor_with_a_line_bounds_efforts_as_that_of_mujoco_does(
     """`DcMotorActuator.control_law` of mjlab 1.6 and `DCMotor` of Isaac Lab have this formula."""
     mujoco = oracles.require_module("mujoco")
     actuator = "{kp: 700, kd: 2, stall_torque: 8, no_load_speed: 9}"
-    path = saved(tmp_path, ACTUATORS.format(actuator=actuator))
+    path = saved(tmp_path, ONE_JOINT.format(actuator=actuator))
     model = mujoco.MjModel.from_xml_string(yamaro.build(path, target="mjcf").xml())
     data = mujoco.MjData(model)
     (group,) = groups_of(loaded(path, "mjlab", monkeypatch))
@@ -496,7 +474,7 @@ def test_a_position_at_a_limit_is_inside_of_it_in_single_precision(
     limits = [(-2.0, 1.3), (0.1, 0.7), (-0.9, -0.3), (0.0, 2.9)]
     for lower, upper in limits:
         for home in (lower, upper):
-            text = ACTUATORS.format(actuator="{kp: 1}").replace(
+            text = ONE_JOINT.format(actuator="{kp: 1}").replace(
                 "lower: -1, upper: 1", f"lower: {lower}, upper: {upper}"
             )
             text = text.replace("model:", f"states: {{home: {{arm_joint: {home}}}}}\nmodel:", 1)
@@ -541,7 +519,7 @@ def test_isaac_lab_needs_what_usd_needs(monkeypatch: pytest.MonkeyPatch, tmp_pat
         monkeypatch.delitem(sys.modules, name)
     monkeypatch.delitem(sys.modules, "yamaro.targets.isaaclab.writer", raising=False)
     monkeypatch.setitem(sys.modules, "pxr", None)
-    path = saved(tmp_path, ACTUATORS.format(actuator="{kp: 1}"))
+    path = saved(tmp_path, ONE_JOINT.format(actuator="{kp: 1}"))
     with pytest.raises(yamaro.YamaroError) as raised:
         yamaro.build(path, target="isaaclab")
     (error,) = raised.value.diagnostics
@@ -558,7 +536,7 @@ def test_the_command_writes_a_module_and_the_robot_beside_it(
     oracles.require_module("mujoco")
     training_stubs.have_mjlab(monkeypatch)
     monkeypatch.chdir(tmp_path)
-    text = ACTUATORS.format(actuator="{kp: 1}").replace("robot: kinds", "robot: 2f-85")
+    text = ONE_JOINT.format(actuator="{kp: 1}").replace("robot: kinds", "robot: 2f-85")
     path = saved(tmp_path, text)
     for _ in range(2):
         assert main([str(path), "--to", "mjlab,mjcf", "-o", "out/", "-q"]) == 0
