@@ -41,7 +41,7 @@ _OUTSIDE_INFLUENCES = (
 FEW = 100
 """Tests for which it does not pay to load all of Yamaro."""
 # Modules that load simulators and renderers, and those that run when they are imported.
-_LARGE = ("__main__", "isaaclab", "picture", "srdf", "tools", "usd")
+_LARGE = ("__main__", "fitting", "isaaclab", "picture", "srdf", "tools", "usd")
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
