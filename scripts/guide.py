@@ -10,6 +10,8 @@ import re
 import sys
 from pathlib import Path
 
+from derived import update
+
 ROOT = Path(__file__).resolve().parents[1]
 GUIDE = ROOT / "src" / "yamaro" / "tools" / "guide" / "guide.md"
 HEAD = ROOT / "scripts" / "guide_head.md"
@@ -28,17 +30,5 @@ def written() -> str:
     return re.sub(r"\n{3,}", "\n\n", text)
 
 
-def main(arguments: list[str]) -> int:
-    """Write the page, or report that it differs; return the exit status."""
-    text = written()
-    if GUIDE.is_file() and GUIDE.read_text(encoding="utf-8") == text:
-        return 0
-    print(GUIDE.relative_to(ROOT))
-    if arguments == ["--check"]:
-        return 1
-    GUIDE.write_text(text, encoding="utf-8")
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(update({GUIDE: written()}, sys.argv[1:]))

@@ -12,7 +12,10 @@ from yamaro.commands.main import main
 REPOSITORY = Path(__file__).parents[2]
 
 
-def test_the_page_follows_from_the_cheat_sheet(capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_page_follows_from_the_cheat_sheet(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.syspath_prepend(str(REPOSITORY / "scripts"))
     written = runpy.run_path(str(REPOSITORY / "scripts" / "guide.py"))["written"]()
     assert main(["guide"]) == 0
     assert capsys.readouterr().out == written, "run python scripts/guide.py"
