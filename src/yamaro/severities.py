@@ -77,6 +77,7 @@ SEVERITIES = {
     "missing-limit": "error",
     "missing-mesh-file": "warning",
     "misspelt-statement": "warning",
+    "mjcf-lost": "warning",
     "needs-version": "warning",
     "negative-value": "warning",
     "no-link": "warning",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure
 from ..xml.robot_names import RobotNames
-from ..xml.tree import Element, IncludedRobot, RawBlock, RobotNote, Text
+from ..xml.tree import OF_ATTACHED, Element, IncludedRobot, RawBlock, RobotNote, Text
 from .fields import POSE_KEYS, POSE_ROWS
 from .joint import lower_joint
 from .lowering import names_of
@@ -20,12 +20,9 @@ if TYPE_CHECKING:
 KEYS = ("path", "body", "to", "at", *POSE_ROWS, "prefix", "joint", "arguments")
 OF_STAND = {
     "sdf": frozenset(("pose", "static")),
-    "mjcf": frozenset(("pos", "quat", "freejoint", "contact")),
+    "mjcf": frozenset(("pos", "quat", "freejoint")),
 }
-"""What blocks say, by their formats, of where a robot stands, which an attached one does not.
-
-An empty `contact` says that a file of MJCF says which pairs touch, but not those with other files.
-"""
+"""What blocks say, by their formats, of where a robot stands, which an attached one does not."""
 _OWN_JOINT_KEYS = POSE_KEYS | {"parent", "child", "name"}
 
 
@@ -114,6 +111,9 @@ def _with_prefix(lowering: Lowering, robot: Element, prefix: str) -> list[Node]:
         if standing is None:
             continue
         copy = copy_of(lowering.outermost(standing))
+        if isinstance(copy, RawBlock):
+            for each in copy.elements():
+                each.body = each.body or OF_ATTACHED
         if copy.name == "link" and any(isinstance(each, RawBlock) for each in copy.children):
             kept = (_without_stand(e) if isinstance(e, RawBlock) else e for e in copy.children)
             copy.children = [each for each in kept if each is not None]
@@ -133,11 +133,7 @@ def _without_stand(block: RawBlock) -> RawBlock | None:
     """Return a block without what it says of where the robot stands; None if nothing is left."""
     names = OF_STAND.get(block.name, ())
     rest = [
-        node
-        for node in block.children
-        if not isinstance(node, Element)
-        or node.name not in names
-        or (node.name == "contact" and node.children)
+        node for node in block.children if not isinstance(node, Element) or node.name not in names
     ]
     return block.with_children(rest) if rest else None  # type: ignore[return-value]
 

@@ -287,6 +287,7 @@ def _what(robot: Robot, raw: RawXml, element: Element, title: str) -> str:
         known |= {joint.child for joint in robot.joints_below(link.name) if joint.is_fixed}
     is_detail = name in known or (raw.joint in robot.actuators and raw.joint is not None)
     is_detail |= element.name == "joint" and "joint1" in element.attributes
+    is_detail |= element.name == "key" and name in robot.states
     word = f"{title}'s <{element.name}>"
     return f"details of {word}" if is_detail else f"{word} elements"
 

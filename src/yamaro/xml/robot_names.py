@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from .mjcf_references import SHARED, kind_in, references
 from .tree import Element, RawBlock, Text
 from .values import format_value
 
@@ -25,12 +26,7 @@ _DEVICES = (
 _REFERS_TO_DEVICE = re.compile("transmission|actuator|sensor|gpio", re.IGNORECASE)
 _BLOCK = "mjcf"
 """The blocks in which all names belong to one robot, except for those of materials and meshes."""
-_SHARED = frozenset(("material", "texture", "mesh", "hfield", "key"))
-"""What several robots share in such a block, or what is found by its name, as a state is."""
 _SHAPES = ("visual", "collision")
-_REFERS_IN_BLOCK = re.compile(
-    "tendon|actuator|camera|geom|site|target|objname|refname|sensor|flex|instance|subtree"
-)
 
 
 def rename(root: Element, prefix: str) -> None:
@@ -44,16 +40,19 @@ def rename(root: Element, prefix: str) -> None:
 class RobotNames:
     """The names that some elements of a robot give, and where they are referred to."""
 
-    __slots__ = ("_bodies", "_devices", "_in_blocks", "_shapes")
+    __slots__ = ("_bodies", "_devices", "_in_blocks", "_own_shapes", "_shapes")
 
     def __init__(self, elements: Sequence[Element]) -> None:
         """Gather the names of links and joints, and of what devices these elements hold."""
         self._bodies = {_name(element) for element in elements if element.name in _BODIES}
         below = [inner for element in elements for inner in element.iter()]
         self._devices = {_name(each) for each in below if each.name in _DEVICES}
-        self._shapes = {_name(each) for each in below if each.name in _SHAPES}
-        within = filter(self._is_own, _within_blocks(elements))
-        self._in_blocks = set(map(_own_name, within)) - {""}
+        shapes = {_name(each) for each in below if each.name in _SHAPES}
+        within = [*_within_blocks(elements)]
+        named = (name for each in within for kind, name in references(each) if kind == "geom")
+        self._own_shapes = shapes.intersection(named)
+        self._shapes = shapes - self._own_shapes
+        self._in_blocks = set(map(_own_name, filter(self._is_own, within))) - {""}
 
     def rename(self, elements: Sequence[Element], change: Callable[[str], str]) -> None:
         """Change the names in some elements and in what is below them, wherever they stand.
@@ -85,8 +84,8 @@ class RobotNames:
             known = self._referred_to_by(name)
             if name == "name":
                 known = self._in_blocks | self._bodies if self._is_own(element) else set()
-            elif _REFERS_IN_BLOCK.search(name):
-                known = known | self._in_blocks | self._bodies
+            elif kind_in(element, name) not in (None, *SHARED):
+                known = known | self._in_blocks | self._bodies | self._own_shapes
             if known:
                 element.attributes[name] = _renamed(format_value(value), known, change)
         if element.name == "name":
@@ -95,13 +94,18 @@ class RobotNames:
                     child.value = _renamed(format_value(child.value), self._in_blocks, change)
 
     def _is_own(self, element: Element) -> bool:
-        """Return whether the name of an element in a block is changed: not that of our shapes."""
+        """Return whether the name of an element in a block is changed.
+
+        Shapes are called alike in several links and robots; what blocks refer to is not.
+        """
         is_shape = element.name == "geom" and _name(element) in self._shapes
-        return element.name not in _SHARED and not is_shape
+        return element.name not in SHARED and not is_shape
 
     def _named_by(self, element: Element) -> set[str]:
         if element.name in _BODIES:
             return self._bodies
+        if element.name in _SHAPES:
+            return self._own_shapes
         return self._devices if element.name in _DEVICES else set()
 
     def _referred_to_by(self, word: str) -> set[str]:

@@ -305,6 +305,8 @@ class RobotNote(Element):
 
 SAID = "said"
 """The `body` of an element in a block for a format which notes of the robot say as well."""
+OF_ATTACHED = "attached"
+"""The `body` of one that an attached robot has, which does not decide for the robot around it."""
 
 Node = Element | Text | Comment
 

@@ -10,7 +10,7 @@ from tests.consumers import oracles
 
 LEG = """
 <mujoco model="leg">
-  <option gravity="0 0 -9.8"/>
+  <option gravity="0 0 -9.8" timestep="{step}"/>
   <worldbody>
     <light name="lamp" mode="targetbody" target="hip" pos="0 0 2"/>
     <body name="hip" pos="0 0 0.7">
@@ -23,12 +23,20 @@ LEG = """
       </body>
     </body>
   </worldbody>
+  <contact>
+    <exclude name="near" body1="hip" body2="knee"/>
+    <pair name="fold" geom1="shank" geom2="hip"/>
+  </contact>
   <actuator><position name="knee" joint="knee" kp="40" ctrlrange="-1 1"/></actuator>
   <sensor>
+    <distance name="gap" geom1="shank" geom2="hip"/>
     <framepos name="foot" objtype="site" objname="foot"/>
     <actuatorfrc name="effort" actuator="knee"/>
   </sensor>
-  <keyframe><key name="home" qpos="0 0 0.7 1 0 0 0 0.4"/></keyframe>
+  <keyframe>
+    <key name="home" qpos="0 0 0.7 1 0 0 0 0.4"/>
+    <key name="fast" qvel="0 0 0 0 0 0 1"/>
+  </keyframe>
 </mujoco>
 """
 ROBOT = """
@@ -37,7 +45,7 @@ base: fixed
 model:
 - part: {name: beam, link: {geometry: box, size: 1 0.1 0.1, mass: 5, collision}}
 - attach: {path: leg.xml, to: beam, xyz: 0.3 0 -0.3, prefix: left_}
-- attach: {path: leg.xml, to: beam, xyz: -0.3 0 -0.3, prefix: right_}
+- attach: {path: other.xml, to: beam, xyz: -0.3 0 -0.3, prefix: right_}
 """
 
 
@@ -45,16 +53,18 @@ model:
 def compiled(tmp_path):
     """Return what MuJoCo compiles of the two copies, and of the file."""
     mujoco = oracles.require_module("mujoco")
-    (tmp_path / "leg.xml").write_text(LEG, encoding="utf-8")
+    for name, step in (("leg.xml", "0.003"), ("other.xml", "0.004")):
+        (tmp_path / name).write_text(LEG.format(step=step), encoding="utf-8")
     (tmp_path / "robot.yaml").write_text(ROBOT, encoding="utf-8")
-    build = yamaro.build(str(tmp_path / "robot.yaml"), target="mjcf")
+    lines: list[str] = []
+    build = yamaro.build(str(tmp_path / "robot.yaml"), target="mjcf", on_message=lines.append)
     both = mujoco.MjModel.from_xml_string(build.xml())
-    return both, mujoco.MjModel.from_xml_path(str(tmp_path / "leg.xml"))
+    return both, mujoco.MjModel.from_xml_path(str(tmp_path / "leg.xml")), build
 
 
 @pytest.mark.parametrize(("prefix", "x"), [("left_", 0.3), ("right_", -0.3)])
 def test_each_copy_is_the_model_with_names_of_its_own(compiled, prefix: str, x: float) -> None:
-    both, leg = compiled
+    both, leg, _ = compiled
     for name in ("hip", "knee"):
         mine, source = both.body(prefix + name), leg.body(name)
         assert mine.mass == pytest.approx(source.mass, rel=1e-9)
@@ -70,10 +80,27 @@ def test_each_copy_is_the_model_with_names_of_its_own(compiled, prefix: str, x: 
     assert driver.gainprm[0] == 40
     assert both.sensor(f"{prefix}foot").objid[0] == both.site(f"{prefix}foot").id
     assert both.sensor(f"{prefix}effort").objid[0] == driver.id
+    hip_and_shank = {hip, shank}
+    gap = both.sensor(f"{prefix}gap")
+    assert {gap.objid[0], gap.refid[0]} == hip_and_shank
+    pair = both.pair(f"{prefix}fold")
+    assert {pair.geom1[0], pair.geom2[0]} == hip_and_shank
     assert both.light(f"{prefix}lamp").targetbodyid[0] == both.body(f"{prefix}hip").id
 
 
 def test_what_is_attached_does_not_move_freely_or_stand_elsewhere(compiled) -> None:
-    both, _ = compiled
-    assert (both.njnt, both.nu, both.nsensor) == (2, 2, 4)
+    both, _, _ = compiled
+    assert (both.njnt, both.nu, both.nsensor) == (2, 2, 6)
     assert all(both.joint(i).type == 3 for i in range(both.njnt))  # hinges
+
+
+def test_an_attached_robot_does_not_decide_for_the_whole(compiled) -> None:
+    both, _, build = compiled
+    assert both.opt.timestep == 0.003  # of the first
+    assert both.opt.integrator == 3  # as without what is attached: mjINT_IMPLICITFAST
+    lost = {(each.what, each.owner) for each in build.losses}
+    assert ("settings of attached robots", "'timestep' of <option>") in lost
+    assert ("keyframes of other joints", "'fast'") in lost
+    names = [both.key(i).name for i in range(both.nkey)]
+    assert names == ["home"]
+    assert both.key("home").qpos == pytest.approx([0.4, 0.4])

@@ -245,7 +245,11 @@ BODY = '<mujoco><worldbody><body name="b">{}</body></worldbody>{}</mujoco>'
         ('<geom size="1"/>', '<actuator><motor joint="j"/></actuator>', "there is no joint 'j'"),
         ('<geom size="1"/>', "<compiler eulerseq='xy'/>", "not a sequence of three axes"),
         ('<replicate count="0"><geom size="1"/></replicate>', "", "whole number from 1"),
-        ('<replicate count="1e9"><geom size="1"/></replicate>', "", "more copies than the limit"),
+        (
+            '<replicate count="1e9"><geom size="1"/></replicate>',
+            "",
+            "copies more than 200,000 elements",
+        ),
         ('<attach model="m" prefix="p"/>', "", "there is no model 'm'"),
         ('<geom size="1"/>', "<default><default/></default>", "needs a name"),
         ("<gem/>", "", "MJCF has no <gem> in <body>"),

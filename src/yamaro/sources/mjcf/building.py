@@ -13,12 +13,12 @@ from ...xml.tree import Element
 from .actuators import Drives
 from .assets import Assets
 from .blocks import block, kept, quaternion, row, setting
-from .compiler import chosen, fault, number, numbers
+from .compiler import fault, number, numbers
 from .inertia import Mass, mass_of, scaled
 from .meshes import UnknownMassError
 from .sections import add_sections, read_mimics
 from .shapes import OF_MESHES, Geom
-from .tree import OF_BODY, Thing
+from .tree import OF_BODY, Thing, joint_kinds, type_of
 from .words import add_camera
 
 TYPE_CHECKING = False
@@ -30,10 +30,9 @@ if TYPE_CHECKING:
     from ...source import Span
     from ...xml.tree import Node
     from ..host import Host
-    from .tree import Body, Context, Placed
+    from .tree import Body, Context, Placed, Reader
 
 WORLD = "world"
-JOINT_TYPES = ("free", "ball", "slide", "hinge")
 PLAIN = (0.5, 0.5, 0.5, 1.0)
 """The colour of a geom that says nothing of it."""
 HELD_BY_GEOMS = frozenset(
@@ -54,6 +53,7 @@ class Builder:
 
     Attributes:
         host: what the reader may ask for.
+        reader: what read the bodies, with all documents.
         context: the main document.
         contexts: all documents: the main one, and those that are attached.
         world: the world, with all bodies in it.
@@ -74,10 +74,11 @@ class Builder:
         above: the joint that leads to each body, by the body's name.
     """
 
-    def __init__(self, host: Host, contexts: Sequence[Context], world: Body) -> None:
+    def __init__(self, host: Host, reader: Reader, context: Context, world: Body) -> None:
         self.host = host
-        self.contexts = contexts
-        self.context = contexts[0]
+        self.reader = reader
+        self.context = context
+        self.contexts = contexts = [context, *reader.attached]
         self.world = world
         self.span = self.context.document.root.span
         self.assets = Assets(contexts, host)
@@ -99,7 +100,7 @@ class Builder:
         self._weighed_later: set[str] = set()  # links whose mass only MuJoCo knows
         self._name_all()
         self.has_world = self._needs_world()
-        kinds, refs = self._joints()
+        kinds, refs = joint_kinds(world)
         self.drives = Drives(contexts, kinds)
         driven = {name for name in kinds if self.drives.noted(name) is not None}
         self.mimics, self.equalities = read_mimics(contexts, kinds, refs, driven)
@@ -108,25 +109,6 @@ class Builder:
         self.joint_names: dict[int, str] = {}
         self.sites: dict[str, tuple[str, str]] = {}
         self.above: dict[str, str] = {}
-
-    def _joints(self) -> tuple[dict[str, str], dict[str, float]]:
-        """Return the type of each joint, and its reference in radians or metres, by its name."""
-        kinds: dict[str, str] = {}
-        refs: dict[str, float] = {}
-        for body in self.world.iter():
-            for joint in body.joints:
-                if not joint.name:
-                    continue
-                if joint.name in kinds:
-                    raise fault(
-                        f"there are two joints named '{joint.name}'",
-                        joint.name_span,
-                        "give each its own name",
-                    )
-                kinds[joint.name] = kind = type_of(joint)
-                angle = joint.context.compiler.angle if kind == "hinge" else float
-                refs[joint.name] = angle(number(joint.given, "ref", 0.0))
-        return kinds, refs
 
     def robot(self) -> Element:
         """Return the robot."""
@@ -169,6 +151,10 @@ class Builder:
 
     def _stem(self) -> str:
         return os.path.basename(self.host.source.path or "robot").partition(".")[0] or "robot"
+
+    def lose(self, what: str, span: Span, hint: str = "") -> None:
+        """Report what a robot has no place for."""
+        self.host.reporter.report("mjcf-lost", f"{what} is left out", span, hint=hint or None)
 
     def keep(self, link: str, element: Element) -> None:
         """Put an element into the block of a link."""
@@ -563,13 +549,6 @@ class Builder:
 def is_shape(geom: Geom) -> bool:
     """Return whether the model has the shape of a geom."""
     return geom.shape() is not None or geom.mesh is not None
-
-
-def type_of(joint: Placed) -> str:
-    """Return the type of a joint."""
-    if joint.kind == "freejoint":
-        return "free"
-    return chosen(joint.given, "type", JOINT_TYPES, "hinge")
 
 
 def placed(thing: Placed) -> Element:

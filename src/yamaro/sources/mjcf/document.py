@@ -16,6 +16,9 @@ if TYPE_CHECKING:
 
     from ...xml.tree import Node
     from ..host import Host
+    from .classes import Classes
+    from .compiler import Compiler
+    from .references import Names
 
 ROOT = "mujoco"
 BODY, WORLD = "body", "worldbody"
@@ -29,15 +32,20 @@ class Document:
         root: its outermost element, in which included files are put in their places.
         folder: the folder of the main file, in which all its paths start.
         name: the name of the model, or "".
-        is_replicated: whether copies are in the place of each `<replicate>`.
+        settings: what its compiler and its default classes say, once they are read.
+        models: the elements that name other documents, by the names of these, once they are read.
+        parts: what was attached of it by the name of a body or frame: the element, the class around
+            it, the names in it.
     """
 
-    __slots__ = ("_sections", "folder", "is_replicated", "name", "root")
+    __slots__ = ("_sections", "folder", "models", "name", "parts", "root", "settings")
 
     def __init__(self, root: Element, folder: str) -> None:
         self.root = root
         self.folder = folder
-        self.is_replicated = False
+        self.settings: tuple[Compiler, Classes] | None = None
+        self.models: dict[str, Element] | None = None
+        self.parts: dict[tuple[str, str], tuple[Element, str | None, Names]] = {}
         self.name = text(root, "model") or ""
         self._sections: dict[str, list[Element]] = {}
         for child in root.elements():

@@ -11,8 +11,8 @@ from ...model.joint import CONTINUOUS, FLOATING, PRISMATIC, REVOLUTE, Dynamics, 
 from ...model.making import Place
 from ...model.pose import IDENTITY, UNTURNED, ZERO, Pose, rotate, rotation_about
 from .blocks import block, in_radians, kept, row, setting
-from .building import type_of
 from .compiler import chosen, fault, numbers, unit_axis, vector
+from .tree import type_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

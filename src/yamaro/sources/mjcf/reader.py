@@ -26,4 +26,4 @@ def read(root: Element, host: Host) -> Element:
     context = Context(document, host)
     reader = Reader(host)
     world = reader.world(context)
-    return Builder(host, [context, *reader.attached], world).robot()
+    return Builder(host, reader, context, world).robot()

@@ -1,16 +1,17 @@
-"""What names what in MJCF; and `<replicate>`, which puts copies under names of their own."""
+"""What comes with what is attached; and `<replicate>`, which puts copies under other names."""
 
 from __future__ import annotations
 
-from ...diagnostics import failure
+from ...diagnostics import YamaroError, failure
 from ...model.pose import UNTURNED, ZERO, rotate
+from ...xml.mjcf_references import kind_in, references, words
 from ...xml.tree import Element
 from .compiler import fault, given_by, numbers, vector
 from .document import WORLD, text
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable
 
     from ...policy import Limits
     from ...xml.tree import Node
@@ -20,41 +21,20 @@ if TYPE_CHECKING:
     Names = set[tuple[str, str]]
     """Names, each with the kind of what has it."""
 
-REFERENCES = {
-    "joint": "joint", "joint1": "joint", "joint2": "joint", "jointinparent": "joint",
-    "body": "body", "body1": "body", "body2": "body", "target": "body",
-    "subtree1": "body", "subtree2": "body",
-    "site": "site", "site1": "site", "site2": "site", "cranksite": "site", "slidersite": "site",
-    "refsite": "site", "sidesite": "site",
-    "geom": "geom", "geom1": "geom", "geom2": "geom",
-    "tendon": "tendon", "tendon1": "tendon", "tendon2": "tendon",
-    "actuator": "actuator", "camera": "camera", "mesh": "mesh", "hfield": "hfield",
-    "material": "material", "texture": "texture", "flex": "flex", "instance": "plugin",
-}  # fmt: skip
-"""What the attributes name that name something."""
-OBJECTS = {"objname": "objtype", "refname": "reftype"}
-"""The attributes that name something whose kind another one says."""
 ASSETS = frozenset(("mesh", "hfield", "material", "texture", "plugin"))
 """The kinds that are in no body."""
+WORLD_BODY = "world"
+"""The name of the body around all others."""
 SUFFIX = "{suffix}"
 """What is after the names in a document that a copy attaches, as an attribute of `<attach>`."""
 IN_BODIES = {"freejoint": "joint", "flexcomp": "flex"}
+COST = 25
+"""As many statements of YAML take about as long as an element that is copied."""
 SECTIONS = {
     "tendon": "tendon", "actuator": "actuator", "sensor": "sensor", "equality": "equality",
     "contact": "contact", "custom": "custom", "deformable": "deformable",
 }  # fmt: skip
 """The sections whose elements name what is in bodies, and the kinds of these."""
-
-
-def references(element: Element) -> Iterator[tuple[str, str, str]]:
-    """Yield the attributes of an element that name something: attribute, kind, name."""
-    for attribute, value in element.attributes.items():
-        kind = REFERENCES.get(attribute)
-        if attribute in OBJECTS:
-            kind = text(element, OBJECTS[attribute])
-            kind = "body" if kind == "xbody" else kind
-        if kind is not None:
-            yield attribute, kind, str(value)
 
 
 def names_in(element: Element) -> Names:
@@ -83,9 +63,13 @@ def renamed(element: Element, suffix: str, names: Names, *, is_named: bool) -> E
     """Return a copy with a suffix after some names; `is_named`: also those of what is in it."""
 
     def change(each: Element, attributes: dict[str, object]) -> None:
-        for attribute, kind, name in references(each):
-            if (kind, name) in names:
-                attributes[attribute] = name + suffix
+        for attribute, value in attributes.items():
+            kind = kind_in(each, attribute)
+            if kind is not None:
+                found = words(each, value)
+                if any((kind, name) in names for name in found):
+                    changed = (name + suffix * ((kind, name) in names) for name in found)
+                    attributes[attribute] = " ".join(changed)
         if each.name == "attach":
             attributes[SUFFIX] = suffix + str(attributes.get(SUFFIX, ""))
         own = text(each, "name")
@@ -97,8 +81,16 @@ def renamed(element: Element, suffix: str, names: Names, *, is_named: bool) -> E
 
 def refers_to(element: Element, names: Names) -> bool:
     """Return whether an element, or one in it, names one of these."""
-    return any(
-        (kind, name) in names for each in element.iter() for _, kind, name in references(each)
+    return any(reference in names for each in element.iter() for reference in references(each))
+
+
+def too_many(element: Element, limits: Limits) -> YamaroError:
+    """Return the error for copies of more elements than the limit of statements allows."""
+    return failure(
+        "limit-statements",
+        f"this {element.name} copies more than {limits.statements // COST:,} elements, the limit",
+        element.span,
+        hint=f"make fewer copies; {limits.hint('statements')}, of which a copy takes {COST}",
     )
 
 
@@ -111,23 +103,25 @@ def replicate(document: Document, compiler: Compiler, limits: Limits) -> None:
     left = [limits.statements]
     for section in document.sections(WORLD):
         if any(each.name == "replicate" for each in section.iter()):
-            _replicate_in(section, document, compiler, left)
+            _replicate_in(section, document, compiler, limits, left)
 
 
-def _replicate_in(around: Element, document: Document, compiler: Compiler, left: list[int]) -> None:
+def _replicate_in(
+    around: Element, document: Document, compiler: Compiler, limits: Limits, left: list[int]
+) -> None:
     children: list[Node] = []
     for child in around.children:
         if isinstance(child, Element) and child.children:
-            _replicate_in(child, document, compiler, left)
+            _replicate_in(child, document, compiler, limits, left)
         if isinstance(child, Element) and child.name == "replicate":
-            children += _copies(child, document, compiler, left)
+            children += _copies(child, document, compiler, limits, left)
         else:
             children.append(child)
     around.children = children
 
 
 def _copies(
-    element: Element, document: Document, compiler: Compiler, left: list[int]
+    element: Element, document: Document, compiler: Compiler, limits: Limits, left: list[int]
 ) -> list[Element]:
     """Return the copies of what is in a `<replicate>`, each in a frame of its own.
 
@@ -138,14 +132,9 @@ def _copies(
     if count is None or count[0] < 1 or count[0] != int(count[0]):
         span = given["count"][1] if "count" in given else element.span
         raise fault("'count' is a whole number from 1", span, 'write count="4"')
-    left[0] -= int(count[0]) * sum(1 for _ in element.iter())
+    left[0] -= COST * int(count[0]) * sum(1 for _ in element.iter())
     if left[0] < 0:
-        raise failure(
-            "limit-statements",
-            "this replicate makes more copies than the limit allows",
-            element.span,
-            hint="make fewer copies, or change the limit: --limit statements=N",
-        )
+        raise too_many(element, limits)
     offset, angles = vector(given, "offset"), numbers(given, "euler", 3) or [0.0, 0.0, 0.0]
     separator = given.get("sep", ("", None))[0]
     names: Names = set()
@@ -200,12 +189,33 @@ def _copy_referring(document: Document, names: Names, suffixes: list[str]) -> No
         pending = made
 
 
-def referring(element: Element, names: Names) -> bool:
-    """Return whether an element names things in bodies, all of them of these."""
-    found = [
-        (kind, name)
-        for each in element.iter()
-        for _, kind, name in references(each)
-        if kind not in ASSETS
+def grown(names: Names, document: Document) -> Names:
+    """Return names in a part of a document, with those of what names nothing outside of it."""
+    found = {*names, ("body", WORLD_BODY)}
+    pending = [
+        (kind, each)
+        for section in document.root.elements()
+        if (kind := SECTIONS.get(section.name)) is not None
+        for each in section.elements()
     ]
-    return bool(found) and all(each in names for each in found)
+    for _ in SECTIONS:  # what is in one names what is in others
+        left = []
+        for kind, each in pending:
+            if is_within(each, found):
+                name = text(each, "name") or ""
+                found |= {(kind, name), (each.name, name)}
+            else:
+                left.append((kind, each))
+        if len(left) == len(pending):
+            break
+        pending = left
+    return found
+
+
+def is_within(element: Element, names: Names) -> bool:
+    """Return whether an element names nothing in bodies and sections but what is among names."""
+    return all(
+        reference in names or reference[0] in ASSETS
+        for each in element.iter()
+        for reference in references(each)
+    )

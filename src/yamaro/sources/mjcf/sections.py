@@ -5,13 +5,16 @@ from __future__ import annotations
 from ...model import making
 from ...model.joint import Mimic
 from ...model.making import Place
+from ...xml.mjcf_references import references
 from ...xml.tree import SAID, Element
 from .blocks import block, kept
 from .classes import unknown
-from .compiler import given_by, numbers, truth
+from .compiler import chosen, fault, given_by, numbers, truth
+from .keyframes import SECTION as KEYFRAMES
+from .keyframes import keyframes
 from .loops import KINDS, add_loop
 from .tree import Thing
-from .words import add_sensors, add_state
+from .words import add_sensors
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -33,6 +36,7 @@ def add_sections(builder: Builder) -> None:
     """Add what the documents have besides bodies: notes, and blocks for MJCF."""
     sections: dict[str, Element] = {}
     sensors: dict[int, tuple[Thing, Element]] = {}
+    alone: set[tuple[str, str]] = set()
 
     def keep(name: str, element: Element) -> None:
         if name not in sections:
@@ -44,10 +48,10 @@ def add_sections(builder: Builder) -> None:
         _keep_world(builder)
     for number, context in enumerate(builder.contexts):
         for section in context.document.others(READ):
+            if section.name == KEYFRAMES or (number and section.name in OF_MAIN):
+                continue
             given = given_by(section)
             given.pop("class", None)
-            if number and section.name in _OF_MAIN:
-                continue
             whole = kept(Thing(section, context, given))
             whole.children = []
             known = sections.setdefault(section.name, whole)
@@ -56,15 +60,20 @@ def add_sections(builder: Builder) -> None:
             for each in section.elements():
                 if not context.has(each, section.name):
                     continue
-                if number and section.name == "keyframe":
-                    continue
                 thing = Thing(each, context, context.given(each, section=section.name))
+                if context.suffix and not any(map(any, map(references, each.iter()))):
+                    # A `<replicate>` copies what names something in it.
+                    thing.name = thing.name.removesuffix(context.suffix)
+                    if (section.name, thing.name) in alone:
+                        continue
+                    alone.add((section.name, thing.name))
                 element = kept(thing)
                 if section.name == "sensor":
                     sensors[id(element)] = thing, element
-                elif section.name == "keyframe":
-                    add_state(builder, thing, element)
                 keep(section.name, element)
+    _add_settings(builder, sections)
+    for element in keyframes(builder):
+        keep(KEYFRAMES, element)
     add_sensors(builder, sensors)
     for thing, element in builder.equalities:
         if thing.kind in KINDS:
@@ -80,8 +89,94 @@ def add_sections(builder: Builder) -> None:
         builder.rest.append(block(element.span, [element]))
 
 
-_OF_MAIN = frozenset(("option", "size", "visual", "statistic"))
+OF_MAIN = frozenset(("option", "size", "visual", "statistic"))
 """The sections of attached documents that the main one decides."""
+MERGED = {"option": min, "size": max}
+"""Those that `conflict="merge"` takes, and which of two time steps or sizes it takes."""
+
+
+def _add_settings(builder: Builder, sections: dict[str, Element]) -> None:
+    """Add what attached documents say of the simulation, as far as the main one takes it.
+
+    Raises:
+        YamaroError: documents differ, and the main one says that this is an error.
+    """
+    given = builder.context.compiler.given
+    policy = chosen(given, "conflict", ("warning", "merge", "error"), "warning")
+    seen: set[int] = set()
+    for context in builder.contexts[1:]:
+        if id(context.document) in seen or context.document is builder.context.document:
+            continue
+        seen.add(id(context.document))
+        lost: dict[str, list[str]] = {}
+        for section in context.document.others(READ):
+            if section.name not in OF_MAIN:
+                continue
+            own = sections.get(section.name)
+            if policy == "merge" and section.name in MERGED:
+                if own is None:
+                    own = sections[section.name] = Element(section.name, section.span)
+                _merge(own, section)
+                continue
+            for each in (section, *section.elements()):
+                tag = section.name if each is section else f"{section.name}/{each.name}"
+                mine = own if each is section else _inside(own, each.name)
+                said = mine.attributes if mine is not None else {}
+                for name, value in each.attributes.items():
+                    if name in said and str(said[name]) == value:
+                        continue
+                    if name in said and policy == "error" and section.name in MERGED:
+                        raise _conflict(each, name)
+                    lost.setdefault(f"<{tag}>", []).append(name)
+        if lost:
+            what = "; ".join(f"{', '.join(names)} of {tag}" for tag, names in lost.items())
+            builder.lose(
+                f"what an attached document says of the simulation ({what})",
+                context.document.root.span,
+                "MuJoCo takes these of the main document; write them there",
+            )
+
+
+def _inside(section: Element | None, name: str) -> Element | None:
+    """Return the element of a name in a section, or None."""
+    if section is None:
+        return None
+    return next((each for each in section.elements() if each.name == name), None)
+
+
+def _conflict(element: Element, name: str) -> Exception:
+    return fault(
+        f"'{name}' of <{element.name}> is not what the document has that attaches this one",
+        element.value_span(name),
+        'write the same in both, or <compiler conflict="warning"/>',
+    )
+
+
+def _merge(own: Element, given: Element) -> None:
+    """Take what a document has of a section besides what the main one says."""
+    for name, value in given.attributes.items():
+        if name not in own.attributes:
+            own.attributes[name] = value
+        elif str(own.attributes[name]) != value:
+            if given.name == "option" and name != "timestep":
+                raise _conflict(given, name)
+            least = MERGED[given.name]
+            own.attributes[name] = least(str(own.attributes[name]), str(value), key=_size)
+    for each in given.elements():
+        mine = _inside(own, each.name)
+        if mine is None:
+            mine = Element(each.name, each.span)
+            own.children.append(mine)
+        mine.attributes = {**each.attributes, **mine.attributes}
+
+
+def _size(written: str) -> float:
+    """Return a number, or a number of bytes such as 10M."""
+    unit = "KMGTPE".find(written[-1:].upper()) + 1 if written[-1:] else 0
+    try:
+        return float(written[:-1]) * 1024**unit if unit else float(written)
+    except ValueError:
+        return 0.0
 
 
 def _keep_compiler(builder: Builder) -> None:

@@ -6,12 +6,13 @@ import os
 
 from ...diagnostics import YamaroError, failure
 from ...model.pose import IDENTITY, Pose
+from ...xml.mjcf_references import OBJECTS, REFERENCES, words
 from ...xml.reader import read_xml
 from ...xml.tree import Element
 from .classes import Classes, unknown
-from .compiler import Compiler, completed, given_by, truth
+from .compiler import Compiler, chosen, completed, fault, given_by, number, truth
 from .document import BODY, WORLD, attributes_of, load, text
-from .references import OBJECTS, REFERENCES, SUFFIX, names_in, referring, replicate
+from .references import COST, SUFFIX, WORLD_BODY, grown, is_within, names_in, replicate, too_many
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -25,6 +26,9 @@ if TYPE_CHECKING:
 
 OF_BODY = frozenset(("gravcomp", "mocap", "user", "sleep", "fuse", "simple"))
 """What a body says of itself besides its pose."""
+JOINT_TYPES = ("free", "ball", "slide", "hinge")
+NAMING = REFERENCES.keys() | OBJECTS.keys()
+"""The attributes that name something."""
 _KINDS = {"equality": "equality", "tendon": "tendon"}
 """The default element of all that is in a section."""
 
@@ -50,10 +54,15 @@ class Thing:
         self.name = context.named(name[0]) if name is not None and name[0] else ""
         given.pop("class", None)
         if context.prefix or context.suffix:
-            for attribute in (REFERENCES.keys() | OBJECTS.keys()) & given.keys():
+            for attribute in NAMING & given.keys():
                 value, span = given[attribute]
-                given[attribute] = (context.named(value), span)
+                given[attribute] = (" ".join(map(context.named, words(element, value))), span)
         self.given = given
+
+    @property
+    def spot(self) -> tuple[int, ...]:
+        """Return the identities of what attaches it, and of its element."""
+        return (*self.context.place, id(self.element))
 
     @property
     def children(self) -> list[Thing]:
@@ -139,6 +148,37 @@ class Body:
             pending += reversed(body.bodies)
 
 
+def type_of(joint: Placed) -> str:
+    """Return the type of a joint."""
+    if joint.kind == "freejoint":
+        return "free"
+    return chosen(joint.given, "type", JOINT_TYPES, "hinge")
+
+
+def joint_kinds(world: Body) -> tuple[dict[str, str], dict[str, float]]:
+    """Return the type of each joint, and its reference in radians or metres, by its name.
+
+    Raises:
+        YamaroError: two joints have one name.
+    """
+    kinds: dict[str, str] = {}
+    refs: dict[str, float] = {}
+    for body in world.iter():
+        for joint in body.joints:
+            if not joint.name:
+                continue
+            if joint.name in kinds:
+                raise fault(
+                    f"there are two joints named '{joint.name}'",
+                    joint.name_span,
+                    "give each its own name",
+                )
+            kinds[joint.name] = kind = type_of(joint)
+            angle = joint.context.compiler.angle if kind == "hinge" else float
+            refs[joint.name] = angle(number(joint.given, "ref", 0.0))
+    return kinds, refs
+
+
 class Context:
     """A document while it is read, as the main model or as one that is attached.
 
@@ -147,12 +187,24 @@ class Context:
         classes: its default classes.
         compiler: its settings.
         prefix, suffix: what is before and after the names of all that is in it.
+        place: the identities of the elements that attach it; none of the main document.
         part: the names in the part of it that is attached; None for all of it.
+        has_keyframes: whether its keyframes are of the model.
     """
 
-    __slots__ = ("classes", "compiler", "document", "host", "part", "prefix", "suffix")
+    __slots__ = (
+        "classes", "compiler", "document", "has_keyframes", "host", "part", "place", "prefix",
+        "suffix",
+    )  # fmt: skip
 
-    def __init__(self, document: Document, host: Host, prefix: str = "", suffix: str = "") -> None:
+    def __init__(
+        self,
+        document: Document,
+        host: Host,
+        prefix: str = "",
+        suffix: str = "",
+        place: tuple[int, ...] = (),
+    ) -> None:
         """Read the settings and classes of a document, and replicate what it says.
 
         Raises:
@@ -161,12 +213,14 @@ class Context:
         self.document = document
         self.host = host
         self.prefix, self.suffix = prefix, suffix
+        self.place = place
         self.part: Names | None = None
-        self.compiler = Compiler(document)
-        if not document.is_replicated:
-            replicate(document, self.compiler, host.limits)
-            document.is_replicated = True
-        self.classes = Classes(document.sections("default"))
+        self.has_keyframes = True
+        if document.settings is None:
+            compiler = Compiler(document)
+            replicate(document, compiler, host.limits)
+            document.settings = compiler, Classes(document.sections("default"))
+        self.compiler, self.classes = document.settings
 
     def given(self, element: Element, childclass: str | None = None, *, section: str = "") -> Given:
         """Return the attributes of an element and those of its class.
@@ -199,7 +253,7 @@ class Context:
 
     def named(self, name: str) -> str:
         """Return the name in the model of what the document calls so."""
-        return f"{self.prefix}{name}{self.suffix}"
+        return f"{self.prefix}{name}{self.suffix}" if name != WORLD_BODY else name
 
     def path(self, name: str, folder: str) -> str:
         """Return the absolute path of a file that the document names.
@@ -224,15 +278,17 @@ class Context:
         """Return whether an element of a section belongs to what is attached of the document."""
         if self.part is None or section in ("asset", "extension"):
             return True
-        return referring(element, self.part)
+        return is_within(element, self.part)
 
     def models(self) -> dict[str, Element]:
         """Return the elements that name other documents, by the names of these."""
-        found = {}
-        for each in self.document.inside("asset"):
-            if each.name == "model":
-                name = text(each, "name")
-                found[name or self._name_in(each) or ""] = each
+        found = self.document.models
+        if found is None:
+            found = self.document.models = {}
+            for each in self.document.inside("asset"):
+                if each.name == "model":
+                    name = text(each, "name")
+                    found[name or self._name_in(each) or ""] = each
         return found
 
     def _name_in(self, asset: Element) -> str | None:
@@ -247,15 +303,18 @@ class Reader:
     Attributes:
         host: gives files.
         attached: the documents that are attached, each as often as it is.
+        documents: those that were read, by the paths of their files.
     """
 
-    __slots__ = ("_depth", "_documents", "attached", "host")
+    __slots__ = ("_attaching", "_copied", "_depth", "attached", "documents", "host")
 
-    def __init__(self, host: Host) -> None:
+    def __init__(self, host: Host, documents: dict[str, Document] | None = None) -> None:
         self.host = host
         self.attached: list[Context] = []
         self._depth = 0
-        self._documents: dict[str, Document] = {}
+        self._attaching: list[Element] = []
+        self._copied = 0
+        self.documents = {} if documents is None else documents
 
     def world(self, context: Context) -> Body:
         """Return the world of a document with all bodies in it.
@@ -276,7 +335,12 @@ class Reader:
     ) -> None:
         """Read what is in a body, or in a frame in it."""
         compiler = context.compiler
-        for element in around.elements():
+        elements = around.elements()
+        if context.place:
+            self._copied += len(elements)
+            if self._copied * COST > self.host.limits.statements:
+                raise too_many(self._attaching[-1], self.host.limits)
+        for element in elements:
             kind = element.name
             if kind == BODY:
                 self._body(context, element, body, frame, childclass)
@@ -331,6 +395,7 @@ class Reader:
     ) -> None:
         """Read another document, or a part of it, where it is attached."""
         prefix = context.prefix + (text(element, "prefix") or "")
+        self._attaching.append(element)
         self._depth += 1
         if self._depth > self.host.limits.nesting:
             raise too_deep(self.host, self._depth, element.span)
@@ -338,15 +403,21 @@ class Reader:
         document = context.document
         if name is not None:
             document = self._document(context, name, element.value_span("model"))
+        self._copied += sum(len(each.children) for each in document.others((WORLD,)))
         suffix = (text(element, SUFFIX) or "") + context.suffix
-        inner = Context(document, self.host, prefix, suffix)
+        inner = Context(document, self.host, prefix, suffix, (*context.place, id(element)))
+        inner.has_keyframes = name is not None
         self.attached.append(inner)
         for kind in ("body", "frame"):
             wanted = text(element, kind)
             if wanted is None:
                 continue
-            found, above = _found(document, kind, wanted, element.value_span(kind))
-            inner.part = names_in(found)
+            part = document.parts.get((kind, wanted))
+            if part is None:
+                found, above = _found(document, kind, wanted, element.value_span(kind))
+                part = (found, above, grown(names_in(found), document))
+                document.parts[kind, wanted] = part
+            found, above, inner.part = part
             holder = Element(WORLD, element.span, children=[found])
             self._read(inner, holder, body, frame, above)
             break
@@ -360,6 +431,7 @@ class Reader:
                 )
             for section in document.sections(WORLD):
                 self._read(inner, section, body, frame, text(section, "childclass"))
+        self._attaching.pop()
         self._depth -= 1
 
     def _document(self, context: Context, name: str, span: Span) -> Document:
@@ -370,10 +442,10 @@ class Reader:
         asset = models[name]
         file, place = text(asset, "file") or "", asset.value_span("file")
         path = os.path.normpath(os.path.join(context.document.folder, file))
-        if path not in self._documents:
+        if path not in self.documents:
             root = read_xml(self.host.read(path, place), self.host.limits).root
-            self._documents[path] = load(root, self.host, os.path.dirname(path))
-        return self._documents[path]
+            self.documents[path] = load(root, self.host, os.path.dirname(path))
+        return self.documents[path]
 
 
 def too_deep(host: Host, depth: int, span: Span) -> YamaroError:

@@ -1,4 +1,4 @@
-"""Keyframes as states, and sensors as the words of the model have them.
+"""Sensors as the words of the model have them.
 
 MJCF has them whole in blocks beside that, so the notes say which format they come from.
 """
@@ -32,52 +32,11 @@ MOST_RANGE = 100.0
 _OF_CAMERA = frozenset(
     """pos quat euler axisangle xyaxes zaxis fovy resolution mode projection""".split()
 )
-QPOS = {"free": 7, "ball": 4, "hinge": 1, "slide": 1}
-"""How many numbers a joint has in `qpos`."""
-ROUNDING = 1e-9
-"""How far a keyframe may be outside of a limit, in radians or metres."""
 IMU = {"accelerometer": "linear_acceleration", "gyro": "angular_velocity"}
 WRENCH = ("force", "torque")
 RANGE = "range"
 ALONE = {"touch": "contact", "magnetometer": "magnetometer", "rangefinder": RANGE}
 """The sensors that alone are one of the model."""
-
-
-def add_state(builder: Builder, key: Thing, element: Element) -> None:
-    """Note the positions of joints in a keyframe, as far as limits allow them.
-
-    Args:
-        builder: the robot.
-        key: the keyframe.
-        element: what is kept of it.
-    """
-    from .building import type_of
-
-    row = numbers(key.given, "qpos", 0, 1 << 20)
-    if row is None or not key.name:
-        return
-    place = Place(key.span, {"name": key.name_span})
-    spot = key.given["qpos"][1]
-    children: list[Element] = []
-    address = 0
-    limits = builder.limits
-    for body in builder.world.iter():
-        for joint in body.joints:
-            kind = type_of(joint)
-            if kind in ("hinge", "slide") and address < len(row):
-                name, value = builder.joint_names[id(joint)], row[address]
-                lower, upper = limits.get(name, (value, value))
-                if lower - ROUNDING <= value <= upper + ROUNDING and name not in builder.mimics:
-                    at = Place(key.span, {"value": spot, "joint": key.name_span})
-                    children.append(
-                        making.note("joint", at, {"joint": name, "value": f"{value!r}"})
-                    )
-            address += QPOS[kind]
-    if address != len(row) or not children:
-        return
-    builder.rest.append(making.note("state", place, {"name": key.name}, children))
-    if len(children) == address and not key.given.keys() - {"qpos"}:
-        element.body = SAID
 
 
 def add_camera(builder: Builder, link: str, thing: Placed, element: Element) -> None:

@@ -10,6 +10,7 @@ from functools import partial
 from math import hypot
 from struct import Struct, iter_unpack
 
+from ...diagnostics import YamaroError
 from ...meshes.encoding import obj_of, obj_of_triangles, stl_of
 from ...meshes.formats import (
     NO_TRIANGLES,
@@ -276,8 +277,13 @@ def with_files(writing: Writing, element: Element) -> Element:
             text = format_value(value).strip()
             contents = MeshContents(writing.wanted.paths)
             span = element.value_span(name)
-            path = contents.path_of(text, span)
             trace = element.trace_within(None)
+            try:
+                path = writing.wanted.paths.finder.resolve(text, span)
+            except YamaroError as error:
+                first = error.diagnostics[0]
+                writing.fail(first.code, first.message, first.hint or "", span=span, trace=trace)
+                continue
             if path is None and os.path.isabs(text):
                 label = f"the file '{text}' of a <{element.name}>"
                 writing.fail("missing-mesh", f"{label} is not found", "", span=span, trace=trace)

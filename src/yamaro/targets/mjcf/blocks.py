@@ -9,7 +9,7 @@ set on that, and it keeps its place among what the block names; else it is added
 from __future__ import annotations
 
 from ...model.values import attribute_text, numbers_in
-from ...xml.tree import Element
+from ...xml.tree import OF_ATTACHED, Element
 from ...xml.values import format_value
 from ..foreign_xml import elements_of, settings_in
 from ..losses import Losses
@@ -36,6 +36,8 @@ ACTUATORS = frozenset(
 """The elements of the section `actuator`."""
 SINGLES = frozenset(("compiler", "option", "size", "statistic", "visual"))
 """Sections that are there once, with elements that are there once in them."""
+OF_WHOLE = frozenset(("statistic", "visual"))
+"""Those which say of a robot by itself how it is shown, and nothing of a robot around it."""
 ENDS = frozenset(("joint1", "tendon1", "body1", "geom1", "site1", "flex"))
 """Attributes of equalities that say what they hold; without one, an equality is tuned only."""
 
@@ -139,9 +141,11 @@ class Blocks:
     def is_whole(self) -> bool:
         """Return whether blocks say all that links do not: they have a section `contact`.
 
-        Then nothing is chosen that the robot does not say.
+        Then nothing is chosen that the robot does not say. That of an attached robot does not say
+        what touches those around it.
         """
-        return self.has("contact")
+        found = (each for each in self.sections if each.name == "contact")
+        return any(each.body != OF_ATTACHED for each in found)
 
     def in_section(self, section: str) -> list[Element]:
         """Return the elements of a section, of all blocks that have it, in the order written."""
@@ -193,6 +197,38 @@ def merge(own: Element, given: Element) -> None:
                 merge(known, child)
         else:
             own.children.append(child)
+
+
+def join(own: Element, given: Element, said: set[tuple[str, str]]) -> list[tuple[Element, str]]:
+    """Set the attributes that a block of an attached robot gives, unless others are said.
+
+    Args:
+        own: a section that is there once.
+        given: what the block gives of it.
+        said: the elements in the section and their attributes that are said; `given` adds to it.
+
+    Returns:
+        What is not set: the elements of the block, with the attribute of each.
+    """
+    refused = []
+    for each in (given, *given.elements()):
+        tag = "" if each is given else each.name
+        inner = own if each is given else next((e for e in own.elements() if e.name == tag), None)
+        if inner is None:
+            inner = each.with_children([])
+            inner.attributes = {}
+            own.children.append(inner)
+        attributes = {}
+        for name, value in each.attributes.items():
+            if (tag, name) not in said:
+                attributes[name] = value
+            elif format_value(inner.attributes.get(name)) != format_value(value):
+                refused.append((each, name))
+        said.update((tag, name) for name in attributes)
+        taken = changed(each, attributes)
+        taken.children = []
+        merge(inner, taken)
+    return refused
 
 
 def merged(

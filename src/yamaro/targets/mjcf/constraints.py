@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...model.pose import UNTURNED, Pose, rotate, transposed
+from ...xml.values import format_value
 from ..contacts import disturbing_pairs, lose_contacts
 from ..elements import element
 from ..holding import leader_of
@@ -113,7 +114,13 @@ def add_excludes(writing: Writing) -> None:
     """
     if writing.blocks.is_whole:
         return
-    plan, seen = writing.plan, set[tuple[str, str]]()
+    plan = writing.plan
+    said = writing.blocks.in_section("contact")
+    seen = {
+        (format_value(each.attributes.get("body1")), format_value(each.attributes.get("body2")))
+        for each in said
+        if each.name == "exclude"
+    }
     for first, second, overlaps in disturbing_pairs(
         writing.robot, plan.order, solids_at_home(writing), still=plan.static, world=plan.world
     ):

@@ -34,6 +34,8 @@ if TYPE_CHECKING:
     from ..elements import Attributes
 
 WORDS = {POSITION: "position", VELOCITY: "velocity", EFFORT: "motor"}
+WITH_STATE = frozenset(("intvelocity", "muscle", "cylinder"))
+"""The words for actuators that have a state of their own."""
 SOURCES = {
     "joint": "joint",
     "kp": "kp",
@@ -235,35 +237,50 @@ def add_keyframes(writing: Writing) -> None:
             if state.name not in given:
                 what = "states of robots with joints of their own in MJCF"
                 writing.losses.lose(what, state, label=f"'{state.name}'")
+    actuators = writing.sections["actuator"].elements()
+    mocaps = sum(attribute_text(each, "mocap") == "true" for each in bodies)
     sizes = {
-        "qpos": sum(map(_width, joints)),
-        "ctrl": len(writing.sections["actuator"].children),
+        "qpos": sum(_width(joint, free=7, ball=4) for joint in joints),
+        "qvel": sum(_width(joint, free=6, ball=3) for joint in joints),
+        "ctrl": len(actuators),
+        "act": sum(map(_states, actuators)),
+        "mpos": 3 * mocaps,
+        "mquat": 4 * mocaps,
     }
     keys = writing.sections["keyframe"]
-    fitting = []
+    fitting: list[Element] = []
     for each in blocks.in_section("keyframe"):
+        own = attribute_text(each, "name")
         wrong = [
             name
             for name, size in sizes.items()
             if name in each.attributes and len(numbers_of(each, name)) != size
         ]
-        if wrong:
-            label = f"'{attribute_text(each, 'name') or ''}'"
+        is_double = own is not None and any(attribute_text(e, "name") == own for e in fitting)
+        if wrong or is_double:
+            what = "keyframes of other joints" if wrong else "further keyframes of one name"
             trace = each.trace_within(None)
-            writing.losses.lose_xml("keyframes of other joints", each, label=label, trace=trace)
+            writing.losses.lose_xml(what, each, label=f"'{own or ''}'", trace=trace)
             continue
         if "qpos" in each.attributes:  # it is whole
-            own = attribute_text(each, "name")
             rest = [key for key in keys.elements() if attribute_text(key, "name") != own]
             keys.children = [*rest] if own is not None else keys.children
         fitting.append(each)
     keys.children = merged(keys.children, fitting, names)
 
 
-def _width(joint: Element) -> int:
-    """Return how many numbers of `qpos` a joint has."""
+def _width(joint: Element, *, free: int, ball: int) -> int:
+    """Return how many numbers of a row a joint has."""
     kind = "free" if joint.name == "freejoint" else attribute_text(joint, "type")
-    return {"free": 7, "ball": 4}.get(kind or "", 1)
+    return {"free": free, "ball": ball}.get(kind or "", 1)
+
+
+def _states(actuator: Element) -> int:
+    """Return how many numbers of its own state an actuator has, as far as its file says it."""
+    is_filter = attribute_text(actuator, "dyntype") not in (None, "none")
+    if actuator.name in WITH_STATE or is_filter or "timeconst" in actuator.attributes:
+        return int((numbers_of(actuator, "actdim") or (1,))[0])
+    return 0
 
 
 def add_key(writing: Writing, name: str, state: State | None, order: list[str]) -> None:

@@ -5,14 +5,26 @@ from __future__ import annotations
 from ...diagnostics import YamaroError
 from ...model.joint import FLOATING, PLANAR
 from ...model.values import attribute_text
-from ...xml.tree import Element
+from ...xml.tree import OF_ATTACHED, Element
 from ..elements import element
 from ..foreign_xml import foreign_losses
 from ..holding import cones, lost_of_joints, lost_sections, renamed_sensors
 from ..output import FOLDER, Output
 from ..table import TARGETS
 from .assets import Looks, with_files
-from .blocks import ACTUATORS, ANCHOR, SINGLES, changed, drivers, merge, merged, names, set_from
+from .blocks import (
+    ACTUATORS,
+    ANCHOR,
+    OF_WHOLE,
+    SINGLES,
+    changed,
+    drivers,
+    join,
+    merge,
+    merged,
+    names,
+    set_from,
+)
 from .constraints import add_excludes, add_loops, add_mimics
 from .control import add_actuators, add_keyframes, leave_out_bounds
 from .links import add_bodies, put_on_floor, sort_bodies
@@ -243,16 +255,20 @@ def _merge_sections(writing: Writing) -> list[Element]:
     """Merge the sections of blocks into ours; return our head, and those besides ours."""
     sections = [with_files(writing, each) for each in writing.blocks.sections]
     top = head(writing)
+    attached: list[Element] = []
+    said: dict[str, set[tuple[str, str]]] = {name: set() for name in SINGLES}
     for given in sections:
         own = writing.sections.get(given.name)
         if given.name == "keyframe":  # once it is known which joints there are
             continue
         if given.name in SINGLES:
-            own = next((each for each in top if each.name == given.name), None)
-            if own is None:
-                own = given.with_children([])
-                top.append(own)
-            merge(own, given)
+            if given.body == OF_ATTACHED:
+                attached.append(given)
+                continue
+            for each in (given, *given.elements()):
+                tag = "" if each is given else each.name
+                said[given.name].update((tag, name) for name in each.attributes)
+            merge(_single(top, given), given)
         elif own is None:
             top.append(given)
         else:
@@ -260,4 +276,27 @@ def _merge_sections(writing: Writing) -> list[Element]:
             trace = given.trace_within(None)
             inner = [each.settled(trace) for each in given.elements()]
             own.children = merged(own.children, inner, keys)
+    for given in attached:
+        _join(writing, top, given, said[given.name])
     return top
+
+
+def _single(top: list[Element], given: Element) -> Element:
+    """Return the section of the document that is called as one of a block is."""
+    own = next((each for each in top if each.name == given.name), None)
+    if own is None:
+        own = given.with_children([])
+        own.attributes = {}
+        top.append(own)
+    return own
+
+
+def _join(writing: Writing, top: list[Element], given: Element, said: set[tuple[str, str]]) -> None:
+    """Take what an attached robot says of the simulation, and nothing else says differently."""
+    what, trace = "settings of attached robots", given.trace_within(None)
+    if given.name in OF_WHOLE:
+        writing.losses.lose_xml(what, given, label=f"<{given.name}>", trace=trace)
+        return
+    for each, name in join(_single(top, given), given, said):
+        label = f"'{name}' of <{each.name}>"
+        writing.losses.lose_xml(what, each, label=label, trace=trace, field=name)
