@@ -37,7 +37,7 @@ ACTUATORS = frozenset(
 SINGLES = frozenset(("compiler", "option", "size", "statistic", "visual"))
 """Sections that are there once, with elements that are there once in them."""
 OF_WHOLE = frozenset(("statistic", "visual"))
-"""Those which say of a robot by itself how it is shown, and nothing of a robot around it."""
+"""Those which say how one robot is shown, and nothing of a robot around it."""
 ENDS = frozenset(("joint1", "tendon1", "body1", "geom1", "site1", "flex"))
 """Attributes of equalities that say what they hold; without one, an equality is tuned only."""
 

@@ -158,10 +158,12 @@ def _named_in_sdf(root: Element | None, word: str) -> Iterator[Span]:
 
 def _meant_in_mjcf(root: Element | None, offset: int) -> tuple[str, str]:
     """Return the kind and the name of what an attribute at an offset names, or "" twice."""
-    from ...sources.mjcf.references import IN_BODIES, references
+    from ...sources.mjcf.references import IN_BODIES
+    from ...xml.mjcf_references import kind_in
 
     for element in elements_in(root):
-        named = [(attribute, kind) for attribute, kind, _ in references(element)]
+        kinds = ((attribute, kind_in(element, attribute)) for attribute in element.attributes)
+        named = [(attribute, kind) for attribute, kind in kinds if kind is not None]
         named += [("class", "class"), ("childclass", "class")]
         named.append(("name", IN_BODIES.get(element.name, element.name)))
         for attribute, kind in named:
