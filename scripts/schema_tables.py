@@ -41,6 +41,8 @@ from yamaro.units import UNITS, name_of  # noqa: E402
 
 OF_JOINT = [ELEMENTS[name] for name in RECORDS if len(ELEMENTS[name].fields) > 1]
 """The keys of a joint that have entries."""
+OF_ROS_1 = ("safety_controller", "calibration")
+"""Those that only controllers of ROS 1 read."""
 
 
 def written() -> dict[Path, str]:
@@ -213,9 +215,9 @@ def controller_types() -> str:
 
 
 def short_joints() -> str:
-    """Return the entries of the keys of a joint, in one row each."""
+    """Return the entries of the keys of a joint that ROS 2 reads, in one row each."""
     rows = []
-    for thing in OF_JOINT:
+    for thing in [each for each in OF_JOINT if each.name not in OF_ROS_1]:
         alone = f"; or the {thing.scalar} alone" if thing.scalar else ""
         rows.append((f"`{thing.name}`", coded(thing.fields) + alone))
     return table("key of `joint` | entries", rows)
