@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import hypot, isfinite, sqrt
 
+from ..model.convex import cross, minus
 from ..model.joint import FLOATING, PLANAR, PRISMATIC, SINGLE, UNLIMITED
 from ..model.kinematics import from_the_roots, link_poses
 from ..model.pose import multiply, rotate, transposed
@@ -195,11 +196,9 @@ class Gains:
         if joint.type == PRISMATIC:
             return max(load.mass + armature, LEAST_INERTIA), GRAVITY * mass
         inertia = load.about(pose.position, axis) + armature
-        a, b, c = axis
-        reach = 0.0  # of the points from the axis
-        for point in load.points:
-            x, y, z = (one - other for one, other in zip(point, pose.position, strict=True))
-            reach = max(reach, hypot(y * c - z * b, z * a - x * c, x * b - y * a))
+        # The distance of the points from the axis.
+        crossed = (cross(minus(point, pose.position), axis) for point in load.points)
+        reach = max((hypot(*each) for each in crossed), default=0.0)
         return max(inertia, LEAST_INERTIA), GRAVITY * mass * reach
 
     def _carried(self, joint: Joint) -> Load:

@@ -8,6 +8,7 @@ from __future__ import annotations
 from math import dist, hypot
 
 from ...meshes.formats import MeshFileError, MissingLibraryError
+from ...model.convex import cross, dot
 from ...model.pose import IDENTITY, rotate
 from ...model.shapes import Capsule, Cylinder, Mesh, Sphere
 
@@ -69,24 +70,19 @@ def _round(
     The ends are distances along the axis. A shape that is not round about the axis has none.
     """
     shape, pose = shown.shape, shown.pose
-    at = sum(one * other for one, other in zip(pose.position, axis, strict=True))
+    at = dot(pose.position, axis)
     off = dist(pose.position, _along(axis, at))
     if isinstance(shape, Sphere):
         return (shape.radius, at - shape.radius, at + shape.radius) if off < SAME else None
     if isinstance(shape, (Cylinder, Capsule)):
         own = rotate(pose.rotation, (0.0, 0.0, 1.0))
-        if off > SAME or _sine(own, axis) > ALIGNED:
+        if off > SAME or hypot(*cross(own, axis)) > ALIGNED:
             return None
         half = shape.length / 2 + (shape.radius if isinstance(shape, Capsule) else 0.0)
         return shape.radius, at - half, at + half
     if isinstance(shape, Mesh):
         return _round_mesh(shape, shown, axis, paths)
     return None
-
-
-def _sine(one: Vector, other: Vector) -> float:
-    (a, b, c), (x, y, z) = one, other
-    return hypot(b * z - c * y, c * x - a * z, a * y - b * x)
 
 
 def _round_mesh(
@@ -106,7 +102,7 @@ def _round_mesh(
     for x, y, z in mesh.vertices:
         a, b, c = shape.scale
         point = shown.pose.apply((x * a, y * b, z * c))
-        at = sum(one * other for one, other in zip(point, axis, strict=True))
+        at = dot(point, axis)
         ends.append(at)
         radius = max(radius, dist(point, _along(axis, at)))
     return (radius, min(ends), max(ends)) if ends else None

@@ -16,7 +16,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ...model.joint import Joint, Limit
     from ...model.robot import Robot
-    from ..controllers.planning import Plan, Planned
+    from ..controllers.planning import Plan
 
     Document = dict[str, object]
 
@@ -132,7 +132,7 @@ def moveit_controllers(plan: Plan) -> Document:
     controllers: Document = {}
     taken: set[str] = set()
     for each in plan.controllers:
-        action = _action_of(each)
+        action = ACTIONS.get(each.plugin) or ACTIONS.get(each.word)
         if action is None or not each.joints:
             continue
         joints = each.joints
@@ -148,10 +148,6 @@ def moveit_controllers(plan: Plan) -> Document:
         "MoveItSimpleControllerManager",
         "moveit_simple_controller_manager": {"controller_names": [*controllers], **controllers},
     }
-
-
-def _action_of(planned: Planned) -> tuple[str, str] | None:
-    return ACTIONS.get(planned.plugin) or ACTIONS.get(planned.word)
 
 
 def initial_positions(robot: Robot) -> Document:
