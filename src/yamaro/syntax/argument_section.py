@@ -471,7 +471,7 @@ def _parse_entry(
 
 def _parse_long(entry: ArgumentEntry, node: MappingNode, context: ParseContext) -> None:
     """Fill in an entry from a mapping of `ENTRIES`; collect the errors in it."""
-    found = _entries_of(node, context)
+    found = _entries_of(node)
     literal = {
         name: parse_value(value, context, is_literal=True)
         for name, (_, value) in found.items()
@@ -517,7 +517,7 @@ def _parse_long(entry: ArgumentEntry, node: MappingNode, context: ParseContext) 
         _parse_choices(entry, literal["choices"], found["choices"][1])
 
 
-def _entries_of(node: MappingNode, context: ParseContext) -> dict[str, tuple[ScalarNode, YamlNode]]:
+def _entries_of(node: MappingNode) -> dict[str, tuple[ScalarNode, YamlNode]]:
     found: dict[str, tuple[ScalarNode, YamlNode]] = {}
     for key, value in node.pairs:
         word = key.text

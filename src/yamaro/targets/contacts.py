@@ -59,7 +59,7 @@ def solids_at(colliding: Colliding, poses: Mapping[str, Pose]) -> list[Solid]:
     return found
 
 
-def colliding_shapes(robot: Robot, order: Iterable[Link], wanted: Wanted) -> Colliding:
+def colliding_shapes(order: Iterable[Link], wanted: Wanted) -> Colliding:
     """Return what collides in a format that does not read the meshes of collisions itself.
 
     Meshes that cannot be read are left out: the program that reads the format reports them.
@@ -169,7 +169,7 @@ def filtered_pairs(
     order, carriers = bodies.order, bodies.carriers
     if sum(bool(link.collisions) for link in order) < 2:
         return []
-    solids = solids_at_home(robot, colliding_shapes(robot, order, wanted))
+    solids = solids_at_home(robot, colliding_shapes(order, wanted))
     still = still_links(robot, order, is_fixed=wanted.is_fixed)
     world = next((link for link in order if carriers[link.name] is None), None)
     seen = {

@@ -370,7 +370,6 @@ class _Sampling:
         states = robot.states
         home = states.get("home") or next(iter(states.values()), None)
         self._home = self._scene.row_of(home.positions if home is not None else {})
-        self._near: list[Floats] = []
 
     def run(self) -> dict[LinkPair, str]:
         """Return the pairs that need no check, with the reason."""

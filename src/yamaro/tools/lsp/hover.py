@@ -51,10 +51,10 @@ def _in_yaml(workspace: Workspace, text: Text, offset: int) -> tuple[list[str], 
             return lines, place.span
     part = text.parts.at(offset)
     if part is not None:
-        lines = part_lines(workspace, program, text, part)
+        lines = part_lines(workspace, text, part)
         if lines:
             return lines, part.span
-    return _of_word(workspace, program, text, offset)
+    return _of_word(workspace, text, offset)
 
 
 # --- names ------------------------------------------------------------------------------------
@@ -126,9 +126,7 @@ def _listed(values: Iterable[str]) -> str:
 # --- words ------------------------------------------------------------------------------------
 
 
-def _of_word(
-    workspace: Workspace, program: Program, text: Text, offset: int
-) -> tuple[list[str], Span | None]:
+def _of_word(workspace: Workspace, text: Text, offset: int) -> tuple[list[str], Span | None]:
     """Return what the manual says of a key, or what a value came out as."""
     cursor = cursor_at(text.root, offset)
     scalar = cursor.scalar
@@ -144,7 +142,7 @@ def _of_word(
     if word == "part":
         named = [each for each in text.parts.named if each.key is scalar]
         for each in named:
-            lines += part_lines(workspace, program, text, each)
+            lines += part_lines(workspace, text, each)
     elif isinstance(cursor.value, ScalarNode):
         lines += _of_value(workspace, text, cursor.value, cursor.keys)[0]
     return lines, scalar.span()

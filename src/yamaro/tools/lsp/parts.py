@@ -15,7 +15,6 @@ if TYPE_CHECKING:
     from ...model.link import Link
     from ...model.robot import Robot
     from ...yaml.nodes import YamlNode
-    from .bindings import Program
     from .workspace import Text, Workspace
 
 _ATTRIBUTES = re.compile(
@@ -193,9 +192,7 @@ def links_of(workspace: Workspace, text: Text, part: Named) -> list[tuple[Robot,
     return found
 
 
-def part_lines(
-    workspace: Workspace, program: Program, text: Text, part: Named | Reference
-) -> list[str]:
+def part_lines(workspace: Workspace, text: Text, part: Named | Reference) -> list[str]:
     """Return lines of Markdown about a part, as far as it is known."""
     if isinstance(part, Named):
         links = links_of(workspace, text, part)

@@ -25,7 +25,6 @@ _MJCF_FILES = ("include", "model")
 _NAMED = ("link", "joint", "material")
 _NAMED_IN_SDF = ("link", "joint", "frame", "model")
 _WORD = re.compile(r"[\w.:/-]+")
-_REFERRING = {("parent", "link"), ("child", "link"), ("mimic", "joint"), ("gazebo", "reference")}
 
 
 def elements_in(root: Element | None) -> Iterator[Element]:
@@ -217,11 +216,9 @@ def hover_in_xml(workspace: Workspace, text: Text, offset: int) -> tuple[list[st
     if is_in_expression(text, offset) or word.startswith("xacro:"):
         lines = [line for span in spans[:3] for line in _written(workspace, span)]
         return lines, None
-    from .bindings import Program
 
     reference = Reference(word, spans[0] if spans else Span(text.source, offset, offset))
-    program = Program(workspace, text.path)
-    lines = part_lines(workspace, program, text, reference)
+    lines = part_lines(workspace, text, reference)
     if not lines and format_of(text.xml):  # a default class, an asset, a frame
         lines = [line for span in spans[:3] for line in _written(workspace, span)]
     return lines, None

@@ -158,7 +158,7 @@ class _Chart:
             linewidths=0, rasterized=len(rows) > 2000, zorder=2, **colors,
         )  # fmt: skip
         if not across.categories and not up.categories:
-            _trend(axes, x[there], y[there], across.is_log)
+            _trend(axes, x[there], y[there])
         self._absent(axes, across, rows, x, np.isfinite(y))
         for rank, number in plotted.ranked.items():
             spot = np.array([number])
@@ -313,7 +313,7 @@ def _spread(column: Column, numbers: Floats, step: float) -> Floats:
     return numbers + JITTER * room * (2 * (np.arange(len(numbers)) * step % 1) - 1)
 
 
-def _trend(axes: Axes, x: Floats, y: Floats, is_log: bool) -> None:
+def _trend(axes: Axes, x: Floats, y: Floats) -> None:
     """Draw the medians of stretches with equally many dots."""
     if len(x) < LEAST_FOR_TREND or min(len(np.unique(x)), len(np.unique(y))) < BINS:
         return

@@ -76,11 +76,6 @@ class Variable:
         self.turns = joint.type != PRISMATIC
         self.is_plain = True
 
-    @property
-    def is_full_turn(self) -> bool:
-        """Return whether it can point in every direction."""
-        return self.turns and self.upper - self.lower >= 2 * np.pi * (1 - 1e-9)
-
 
 class Step:
     """A joint of a chain, and what lies between it and the joint before.
