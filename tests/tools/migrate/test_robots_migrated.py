@@ -451,3 +451,87 @@ def test_a_site_of_the_name_of_its_body_stays_apart_from_it(tmp_path: Path) -> N
     assert migration.differences == []
     made = yamaro.build(str(tmp_path / "one.yaml"), text=migration.text, target="mjcf").xml()
     assert made == yamaro.build(str(path), target="mjcf").xml()
+
+
+HAND = """<mujoco model="hand">
+  <compiler angle="radian"/>
+  <default>
+    <!-- Tendons are stiff. -->
+    <default class="flexor">
+      <joint axis="0 1 0" damping="0.05" armature="0.0002" range="0 1.5708"/>
+      <general biastype="affine" gainprm="35" biasprm="0 -35 -0.65" ctrlrange="-2 2"
+        forcerange="-18 18"/>
+    </default>
+  </default>
+  <worldbody>
+    <body name="wall">
+      <inertial pos="0 0 0" mass="0" diaginertia="0 0 0"/>
+      <body name="palm" pos="0 0 0.1">
+        <geom type="box" size="0.04 0.02 0.04" contype="0" conaffinity="0" friction="0.3"/>
+        <geom type="box" size="0.03 0.02 0.03" group="3" rgba="1 0 0 1"/>
+        <geom type="sphere" size="0.02" pos="0 0 0.04" euler="0 2.5 0"/>
+        <site name="imu"/>
+        <camera name="eye" pos="0.01 0.02 0.03" euler="0 -1.5 0" resolution="640 480"/>
+        FINGERS
+        <body name="thumb" pos="0.03 0 0">
+          <joint name="T3" class="flexor"/>
+          <geom type="box" size="0.02 0.01 0.01" group="3"/>
+          <body name="tip" pos="0.03 0 0">
+            <joint name="T2" class="flexor"/>
+            <geom type="sphere" size="0.015" group="3"/>
+            <body name="nail" pos="0.01 0 0">
+              <joint name="T1" class="flexor" range="0 0.1"/>
+              <geom type="cylinder" size="0.01 0.001" group="3"/>
+            </body>
+          </body>
+        </body>
+      </body>
+    </body>
+  </worldbody>
+  <actuator>
+    <general name="m" class="flexor" joint="MFJ2"/>
+    <general name="f" class="flexor" joint="FFJ2"/>
+    <general name="r" class="flexor" joint="RFJ2"/>
+  </actuator>
+  <sensor>
+    <gyro name="turning" site="imu" noise="0.01"/>
+    <accelerometer name="falling" site="imu" noise="0.2"/>
+  </sensor>
+</mujoco>
+"""
+FINGER = """<body name="{low}fknuckle" pos="{x} 0 0.05">
+          <joint name="{high}FJ2" class="flexor"/>
+          <geom type="capsule" size="0.008 0.02" pos="0 0 0.02" group="3"/>
+          <geom type="sphere" size="0.01" contype="0" conaffinity="0" rgba="0 0 1 1"/>
+          <body name="{low}fdistal" pos="0 0 0.04">
+            <joint name="{high}FJ1" class="flexor" range="0 1.2"/>
+            <geom type="capsule" size="0.008 0.015" pos="0 0 0.015" group="3"/>
+          </body>
+        </body>"""
+
+
+def test_a_hand_reads_as_its_maker_would_write_it(tmp_path: Path) -> None:
+    fingers = [("f", 0.033), ("m", 0.011), ("r", -0.011)]
+    inner = [FINGER.format(low=low, high=low.upper(), x=x) for low, x in fingers]
+    path = tmp_path / "hand.xml"
+    path.write_text(HAND.replace("FINGERS", "\n".join(inner)))
+    migration = migration_of(path)
+    assert migration.differences == [] and migration.lost_comments == 0
+    text = migration.text
+    assert "  # Tendons are stiff.\n  FlexorJoint(" in text
+    assert "  Finger(finger, xyz, knuckle_name):\n" in text
+    assert "name: $(finger.upper())J2 $(finger)knuckle\n" in text
+    assert "- Finger: {finger: mf, xyz: 0.011 0 0.05, knuckle_name: m}\n" in text
+    assert "color: 0 0 1 1" in text and "_color" not in text
+    assert "noise: {linear_acceleration: 0.2, angular_velocity: 0.01}" in text
+    assert "inertial/mass=0, diaginertia=0 0 0, pos=0 0 0:" in text
+    # Only a geom that is seen and collides gets a name; friction of one that is seen means nothing.
+    assert re.findall(r"(?:visual|collision)/name=(\w+)", text) == ["palm_geom_2"] * 2
+    assert "friction" not in text and "actuatorfrclimited" not in text
+    assert_in_style("hand.yaml", text)
+    pytest.importorskip("mujoco")
+    from tests.targets.same_mjcf import Comparison
+
+    made = tmp_path / "made.xml"
+    made.write_text(yamaro.build(str(path.with_suffix(".yaml")), text=text, target="mjcf").xml())
+    assert Comparison(str(path), str(made)).found == {}

@@ -294,15 +294,14 @@ class Drives:
     def order(self) -> list[Element]:
         """Return what the block of the robot says: those of no joint, in the order of all."""
         drives = [drive for _, drive in self.all if drive is not None]
-        if len(drives) == len(self.all):
-            if all(drive.is_noted for drive in drives):  # the notes are in this order
-                return []
-            places = {name: index for index, name in enumerate(self._joints)}
-            joints = [places[drive.joint] for drive in drives]
-            if joints == sorted(joints):
-                return []
+        places = {name: index for index, name in enumerate(self._joints)}
+        joints = [places[drive.joint] for drive in drives]
+        rest = self.all
+        is_first = all(drive is not None for _, drive in self.all[: len(drives)])
+        if is_first and (all(drive.is_noted for drive in drives) or joints == sorted(joints)):
+            rest = self.all[len(drives) :]  # the notes, or else the joints, are in this order
         found = []
-        for thing, drive in self.all:
+        for thing, drive in rest:
             if drive is None:
                 found.append(kept(thing))
                 continue

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from math import pi
 
 from ...model import making
 from ...model.joint import FIXED
@@ -26,9 +27,11 @@ if TYPE_CHECKING:
     from collections.abc import Container, Sequence
 
     from ...model.link import Collision, Color, Inertial, Material, Visual
+    from ...model.pose import Vector
     from ...model.shapes import Shape
     from ...source import Span
     from ...xml.tree import Node
+    from ...xml.values import Numbers
     from ..host import Host
     from .tree import Body, Context, Placed, Reader
 
@@ -44,6 +47,8 @@ VISIBLE, SOLID = 2, 3
 """The groups that the writer of MJCF gives to visuals and collisions."""
 SMOOTH, ROLLING = 0.005, 0.0001
 """MuJoCo's coefficients of friction against turning and rolling, in m."""
+OF_CONTACTS = frozenset("friction condim margin gap solref solimp solmix priority".split())
+"""What means nothing of a geom that touches none."""
 DETAILS_OF_MESHES = frozenset(("maxhullvert", "smoothnormal", "content_type"))
 """What a mesh says that its file does not hold."""
 
@@ -71,6 +76,8 @@ class Builder:
         joint_names: of the elements of joints, by identity.
         sites: the link and the frame of each site, by name.
         has_capsule: whether a shape is one, which URDF has since 1.1.
+        has_pairs: whether geoms touch that no other geom touches.
+        has_turns: whether a sensor measures quaternions, whose sign then matters.
         above: the joint that leads to each body, by the body's name.
     """
 
@@ -96,6 +103,13 @@ class Builder:
         self._counts: dict[tuple[str, str], int] = {}
         self._colors: dict[Color, str] = {}
         self.has_capsule = False
+        documents = [context.document for context in contexts]
+        self.has_turns = any(
+            each.name == "framequat" for one in documents for each in one.inside("sensor")
+        )
+        self.has_pairs = any(
+            each.name == "pair" for one in documents for each in one.inside("contact")
+        )
         self._initial_poses: dict[str, Pose] | None = None
         self._weighed_later: set[str] = set()  # links whose mass only MuJoCo knows
         self._name_all()
@@ -125,6 +139,10 @@ class Builder:
                 self._add_root(body)
             else:
                 add_joints(self, body, above.name)
+                usual = quaternion(body.pose) if self.has_turns else None
+                turn = _as_written(body.thing, usual)
+                if turn is not None and turn is not usual:
+                    self.keep(body.name, setting("quat", turn, body.thing.where("quat")))
             mass = masses.get(body.name)
             if mass is not None and body.inertial is not None and mass.is_nothing():
                 nothing = placed(body.inertial)
@@ -254,7 +272,7 @@ class Builder:
         span = body.thing.span
         if any(body.pose.position):
             self.keep(body.name, setting("pos", row(body.pose.position), span))
-        turn = quaternion(body.pose)
+        turn = _as_written(body.thing, quaternion(body.pose))
         if turn is not None:
             self.keep(body.name, setting("quat", turn, span))
         if free is not None:
@@ -293,7 +311,7 @@ class Builder:
                 places["xyz"] = span
             elif name in ("quat", "euler", "axisangle", "xyaxes", "zaxis"):
                 places["rpy"] = span
-        rpy = pose.rpy if pose.rotation != UNTURNED else ZERO
+        rpy = _plain_angles(pose.rpy) if pose.rotation != UNTURNED else ZERO
         made = making.pose(Place(thing.span, places), pose.position, rpy)
         return Pose(pose.rotation, pose.position, made.element)
 
@@ -315,6 +333,7 @@ class Builder:
                 add_camera(self, body.name, other, kept_other)
             self.keep(body.name, kept_other)
         is_empty = body is not self.world and not (inertial or visuals or collisions)
+        is_empty = is_empty and body.inertial is None  # a mass of 0 is in the block
         if is_empty and not {"gravcomp", "mocap", "sleep"} & thing.given.keys():
             # A link with nothing in it is a frame; a body stays one.
             self.keep(body.name, setting("gravcomp", "0", thing.span))
@@ -524,6 +543,8 @@ class Builder:
                 left.add("material")
         changed: dict[str, object] = {"name": geom.name}
         self._weigh(body, geom, changed, left)
+        if not is_solid and not self.has_pairs:
+            left |= OF_CONTACTS
         friction = numbers(given, "friction", 1, 3)
         if friction is not None and is_solid:
             usual = [friction[0], SMOOTH, ROLLING]
@@ -544,6 +565,27 @@ class Builder:
                 if int(number(given, name, 1.0)) == int(is_solid):
                     left.add(name)
         return self.assets.use(kept(thing, changed=changed, without=left))
+
+
+def _as_written(thing: Thing, turn: Numbers | None) -> Numbers | None:
+    """Return a quaternion with the sign that a thing gives it: of two that turn alike."""
+    given = numbers(thing.given, "quat", 4)
+    if turn is None or given is None:
+        return turn
+    product = sum(one * other for one, other in zip(given, turn.values, strict=True))
+    return row(-each for each in turn.values) if product < 0 else turn
+
+
+def _plain_angles(rpy: Vector) -> Vector:
+    """Return roll, pitch and yaw as one turn about y where the other two are half turns."""
+    roll, pitch, yaw = rpy
+    if abs(abs(roll) - pi) > HALF_TURN or abs(abs(yaw) - pi) > HALF_TURN:
+        return rpy
+    return (0.0, (pi if pitch >= 0 else -pi) - pitch, 0.0)
+
+
+HALF_TURN = 1e-14
+"""In rad: how far an angle may be off a half turn that rounding has moved."""
 
 
 def is_shape(geom: Geom) -> bool:

@@ -113,7 +113,8 @@ class Blocks:
 
     def is_body(self, link: str) -> bool:
         """Return whether a block says of a link what only a body has."""
-        return not OF_BODIES.isdisjoint(self.settings("link", link))
+        has_mass = any(each.name == "inertial" for each in self.elements("link", link))
+        return has_mass or not OF_BODIES.isdisjoint(self.settings("link", link))
 
     def is_aligned(self, link: str) -> bool:
         """Return whether MuJoCo aligns the frame of a free body with its principal axes."""

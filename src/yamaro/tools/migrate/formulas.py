@@ -223,10 +223,12 @@ class Degrees:
         constants: the numbers that names have everywhere, `pi` among them if nothing else has it.
     """
 
-    __slots__ = ("constants",)
+    __slots__ = ("constants", "decimals")
 
-    def __init__(self, constants: Mapping[str, float]) -> None:
+    def __init__(self, constants: Mapping[str, float], decimals: int = 0) -> None:
+        """Take what names have for numbers, and how many decimals degrees may have."""
         self.constants = constants
+        self.decimals = decimals
 
     def row(self, text: str) -> str:
         """Return numbers, those in degrees that are whole numbers of them."""
@@ -237,11 +239,14 @@ class Degrees:
         value = self.value(word)
         if value is None or not math.isfinite(value):
             return word
-        whole = round(math.degrees(value)) if abs(value) < math.radians(MOST_DEGREES + 1) else 0
+        whole = 0.0
+        if abs(value) < math.radians(MOST_DEGREES + 1):
+            whole = round(math.degrees(value), self.decimals)
         if not 0 < abs(whole) <= MOST_DEGREES:
             return word
-        meant, _ = parse_quantity(f"{whole}{unit}")
-        return f"{whole}{unit}" if format_number(meant) == format_number(value) else word
+        text = format_number(whole).removesuffix(".0")
+        meant, _ = parse_quantity(f"{text}{unit}")
+        return f"{text}{unit}" if format_number(meant) == format_number(value) else word
 
     def of_attribute(self, name: str, text: str, kind: str) -> str:
         """Return the value of an attribute such as `upper`, in a joint of a kind."""

@@ -18,7 +18,7 @@ from .document import RECORD_WIDTH, Body, Entry, Row, element_key, joined
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Iterator, Mapping, Sequence
 
     from .document import Value
 
@@ -32,6 +32,7 @@ MOST_TRIED = 50
 LEAST_SAVED = 3
 """Lines that a function has to save."""
 _WORDS = re.compile(r"[^\W\d_]+|\d+|[\W_]+")
+_PARAMETER = re.compile(r"[$][(](\w+)[)]")
 _NUMBER = re.compile(r"([-+]?)((?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)(deg)?")
 _PLAIN = re.compile(r"(?:0|[1-9]\d*)?\.?\d*(?:[eE][-+]?\d+)?")
 _SIDES = frozenset("left right l r front rear back fl fr rl rr lf rf lh rh hl hr".split())
@@ -76,10 +77,11 @@ def share_limbs(model: Body, taken: set[str]) -> Body:
         taken: the names of functions and variables that there are.
     """
     functions = Body()
+    parents: dict[str, str] = {}
     bodies = [model]
     while bodies:
         body = bodies.pop(0)
-        while (found := _best_group(body)) is not None:
+        while (found := _best_group(body, parents)) is not None:
             function, calls, blocks = _function_of(body, found, taken)
             for (first, last), call in sorted(zip(blocks, calls, strict=True), reverse=True,
                                               key=lambda pair: pair[0]):  # fmt: skip
@@ -89,18 +91,24 @@ def share_limbs(model: Body, taken: set[str]) -> Body:
             inner = function.value.entries[-1].value
             assert isinstance(inner, Body)
             bodies.append(inner)
+            parents[function.key] = _parent(inner.entries[0], parents) or ""
     return functions
 
 
 # --- which limbs are alike --------------------------------------------------------------------
 
 
-def _best_group(body: Body) -> list[tuple[int, int]] | None:
-    """Return the places of limbs that are worth a function most, or None."""
+def _best_group(body: Body, parents: Mapping[str, str]) -> list[tuple[int, int]] | None:
+    """Return the places of limbs that are worth a function most, or None.
+
+    Args:
+        body: the parts, and calls of functions.
+        parents: what the first part of each function is on.
+    """
     groups: dict[object, list[tuple[int, int]]] = {}
     known: dict[object, int] = {}
     shapes = [known.setdefault(_shape(entry), len(known)) for entry in body.entries]
-    for first, last in _limbs(body):
+    for first, last in _limbs(body, parents):
         groups.setdefault(tuple(shapes[first:last]), []).append((first, last))
     several = [places for places in groups.values() if len(places) > 1]
     ranked = sorted(
@@ -136,13 +144,13 @@ def _width(entry: Entry) -> int:
     return len(entry.key) + 2 + inner
 
 
-def _limbs(body: Body) -> Iterator[tuple[int, int]]:
-    """Yield where each part begins, and where the parts below it end."""
+def _limbs(body: Body, of_functions: Mapping[str, str]) -> Iterator[tuple[int, int]]:
+    """Yield where each part begins, and where the parts and calls below it end."""
     entries = body.entries
     names = [_names_in(entry) for entry in entries]
-    parents = [_parent(entry) if own else None for entry, own in zip(entries, names, strict=True)]
+    parents = [_parent(entry, of_functions) for entry in entries]
     for first in range(len(entries)):
-        if parents[first] is None:
+        if parents[first] is None or entries[first].key != "part":
             continue
         known, last = set(names[first]), first + 1
         while last < len(entries) and parents[last] in known:
@@ -169,9 +177,14 @@ def _names_in(entry: Entry) -> set[str]:
     return found
 
 
-def _parent(entry: Entry) -> str | None:
-    assert isinstance(entry.value, Body)
-    for own in entry.value:
+def _parent(entry: Entry, of_functions: Mapping[str, str]) -> str | None:
+    """Return what a part, or the first part that a call makes, is on."""
+    if not isinstance(entry.value, Body):
+        return None
+    if entry.key in of_functions:
+        given = {own.key: str(own.value) for own in entry.value}
+        return _PARAMETER.sub(lambda own: given.get(own[1], own[0]), of_functions[entry.key])
+    for own in entry.value if entry.key == "part" else ():
         if own.key.partition("/")[0] == "joint" and isinstance(own.value, Body):
             for each in own.value:
                 if each.key == "parent" and isinstance(each.value, str):
@@ -282,12 +295,18 @@ class _Alike:
         split = [_WORDS.findall(_first_name(limb[0])) for limb in self._limbs]
         common = [word for word in split[0] if all(word in other for other in split)]
         words = [word for word in common if word.isalpha() and word.isascii()]
-        return "".join(word[:1].upper() + word[1:] for word in words)
+        telling = [word for word in words if word.lower() not in ("joint", "link")]
+        return "".join(word[:1].upper() + word[1:] for word in telling or words)
 
     def _called(self, rows: list[list[tuple[int, str, str]]]) -> str:
         if len(self._limbs[0]) > 1:
-            for text in (text for _, key, text in rows[0] if key == "name"):
-                words = set(_WORDS.findall(text.lower()))
+            texts = [[text for _, _, text in row] for row in zip(*rows, strict=True)]
+            keys = [key for _, key, _ in rows[0]]
+            for key, row in zip(keys, texts, strict=True):
+                if key != "name":
+                    continue
+                columns = _columns([text.lower() for text in row]) or ()
+                words = {each for column in columns for each in column}
                 for name, known in _LIMBS:
                     if not words.isdisjoint(known):
                         return name
@@ -304,13 +323,15 @@ class _Alike:
     def _find_words(self) -> None:
         """Find the words in the names of the limbs' first parts that differ."""
         names = [_first_name(limb[0]) for limb in self._limbs]
-        split = [_WORDS.findall(name) for name in names]
-        if len({len(words) for words in split}) > 1:
+        columns = _columns(names)
+        if columns is None:
             raise _NotAlike
-        for column in zip(*split, strict=True):
+        for column in columns:
             if len(set(column)) > 1 and tuple(column) not in self._words:
                 is_side = {word.lower() for word in column} <= _SIDES
                 stem = "side" if is_side else "number" if column[0].isdigit() else "name"
+                if stem == "name" and self._name == "Finger":
+                    stem = "finger"
                 if stem == "side" and self._name.lower() in ("leg", "wheel") and len(column) > 2:
                     stem = self._name.lower()
                 self._words[tuple(column)] = self._new(stem, list(column))
@@ -321,10 +342,8 @@ class _Alike:
         """Find words that differ in several texts in the same way, such as in names of meshes."""
         times: dict[tuple[str, ...], int] = {}
         for texts in holes:
-            split = [_WORDS.findall(text) for text in texts]
-            if len({len(words) for words in split}) > 1 or any("$(" in text for text in texts):
-                continue
-            for column in zip(*split, strict=True):
+            columns = None if any("$(" in text for text in texts) else _columns(texts)
+            for column in columns or ():
                 if len(set(column)) > 1 and all(word.isalpha() for word in column):
                     times[column] = times.get(column, 0) + 1
         for column, count in times.items():
@@ -365,26 +384,28 @@ class _Alike:
         words = self._in_words(hole.texts)
         if words is not None:
             return words
-        key = tuple(hole.texts)
+        start, end = _common_ends(hole.texts)
+        key = tuple(text[len(start) : len(text) - len(end)] for text in hole.texts)
         if key not in self._whole:
             if any("$(" in text for text in key):
                 raise _NotAlike
             stem = {"geometry": "mesh", "name": "name"}.get(hole.key, hole.key)
-            if len(self._limbs[0]) > 1 or stem in self.parameters or stem == "name":
-                own = _WORDS.findall(_first_name(self._limbs[0][hole.part]))
-                letters = [word for word in own if word.isalpha() and word.isascii()]
-                fixed = [w for w in letters if not any(w in column for column in self._words)]
-                stem = "_".join([*[word.lower() for word in fixed if word != "link"], stem])
-            self._whole[key] = self._new(stem, hole.texts)
-        return f"$({self._whole[key]})"
+            if hole.part or stem in self.parameters or stem == "name":
+                part = hole.part if self._limbs[0][hole.part].key == "part" else 0
+                names = [_first_name(limb[part]) for limb in self._limbs]
+                shared = [column[0] for column in _columns(names) or () if len({*column}) == 1]
+                letters = [word.lower() for word in shared if word.isalpha() and word.isascii()]
+                stem = "_".join([*[word for word in letters if word != "link"], stem])
+            self._whole[key] = self._new(stem, list(key))
+        return f"{start}$({self._whole[key]}){end}"
 
     def _in_words(self, texts: list[str]) -> str | None:
         """Return names in which only words differ that differ in all names."""
-        split = [_WORDS.findall(text) for text in texts]
-        if len({len(words) for words in split}) > 1:
+        columns = _columns(texts)
+        if columns is None:
             return None
         pieces = []
-        for column in zip(*split, strict=True):
+        for column in columns:
             if len(set(column)) == 1:
                 pieces.append(column[0])
             elif column in self._words:
@@ -442,6 +463,50 @@ class _Alike:
         name = self._new(stem, [str(sign) for sign in pattern])
         self._signs[pattern] = name
         return name, ""
+
+
+def _common_ends(texts: Sequence[str]) -> tuple[str, str]:
+    """Return the folder with a variable, and the ending of a file, that texts have in common."""
+    folder, _, _ = texts[0].rpartition("/")
+    start = f"{folder}/" if "$(" in folder else ""
+    end = f".{texts[0].rpartition('.')[2]}" if start else ""
+    if not all(text.startswith(start) and text.endswith(end) for text in texts):
+        return "", ""
+    return start, end
+
+
+def _columns(texts: Sequence[str]) -> list[tuple[str, ...]] | None:
+    """Return the words of texts side by side, or None if these are not as many in each.
+
+    The end that the words of a place have in common is a word of its own: `ff` and `knuckle`.
+    """
+    split = [_WORDS.findall(text) for text in texts]
+    if len({len(words) for words in split}) > 1:
+        return None
+    found: list[tuple[str, ...]] = []
+    for column in zip(*split, strict=True):
+        size = 0
+        if len({*column}) > 1 and all(word.isalpha() for word in column):
+            least = min(map(len, column))
+            while size < least and len({word[-size - 1 :] for word in column}) == 1:
+                size += 1
+            longest = max(map(len, column)) - size
+            size -= longest < SHORTEST_WORD  # `ff` and `mf` are words, and `f` and `m` are not
+            is_upper = all(word.isupper() for word in column)
+            if size < (1 if is_upper else SHORTEST_END) or size >= least:
+                size = 0
+        if size:
+            found += [
+                tuple(word[:-size] for word in column),
+                tuple(word[-size:] for word in column),
+            ]
+        else:
+            found.append(column)
+    return found
+
+
+SHORTEST_WORD, SHORTEST_END = 2, 3
+"""Letters that a word has by which limbs differ, and an end that they have in common."""
 
 
 def _function_of(

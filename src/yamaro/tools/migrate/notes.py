@@ -86,7 +86,7 @@ def home_of(note: Element) -> Home:
 
 
 def made_names(link: Element) -> list[Element]:
-    """Return the shapes of a link that have a name that the reader of MJCF made up."""
+    """Return the shapes of a link that have a name that no file gave them."""
     found = []
     counts = {"visual": -1, "collision": -1}
     names = {name_of(each) for each in link.elements()}
@@ -95,9 +95,15 @@ def made_names(link: Element) -> list[Element]:
             counts[each.name] += 1
             name = name_of(each)
             made = shape_name(name_of(link), each.name, counts[each.name], names - {name})
-            if name == made:
+            if name == made and not _is_given(each):
                 found.append(each)
     return found
+
+
+def _is_given(element: Element) -> bool:
+    """Return whether the name of an element stands in a file."""
+    span = element.value_span("name")
+    return span.source.text[span.start : span.end] == name_of(element)
 
 
 def without_name(element: Element) -> Element:
@@ -173,8 +179,10 @@ class Notes:
         """Have the block of the robot say the order of actuators, if it is not that of joints."""
         wanted = actuators_in_order(notes)
         own = [name for name in self._types if ("actuator", ("joint", name)) in self._notes]
-        blocks = self._blocks.get(ROBOT, {})
-        if wanted == own or any(each.name == "actuator" for each in blocks.get(MJCF, ())):
+        block = self._blocks.setdefault(ROBOT, {}).setdefault(MJCF, [])
+        sections = [each for each in block if each.name == "actuator"]
+        said = [each for section in sections for each in section.elements()]
+        if wanted == own or any("joint" in each.attributes for each in said):
             return
         words = {"position": "position", "velocity": "velocity", "effort": "motor"}
         span = notes[0].span
@@ -185,9 +193,7 @@ class Notes:
             for element in self._blocks.get(("joint", name), {}).get(MJCF, ()):
                 word = word if is_setting(element) else element.name
             rows.append(Element(word, span, {"joint": name}))
-        self._blocks.setdefault(ROBOT, {}).setdefault(MJCF, []).append(
-            Element("actuator", span, {}, rows)
-        )
+        block.insert(0, Element("actuator", span, {}, rows))
 
     def _read(self, root: Element) -> None:
         for child in root.elements():

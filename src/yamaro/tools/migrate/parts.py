@@ -88,6 +88,10 @@ def pose_of(origin: Element | None, *, exact: bool) -> dict[str, str] | None:
     return dict.fromkeys(POSE, ZEROS) | attributes
 
 
+def _is_same(one: Mapping[str, str], other: Mapping[str, str]) -> bool:
+    return all(same_words(one[key], other[key]) for key in POSE)
+
+
 class CommonPose:
     """The origin that all sections of a link have, or that none of them has."""
 
@@ -150,7 +154,7 @@ class LinkPlan:
         if self._exact and not any(origins):
             self.pose = CommonPose(None)
         first, *others = (pose_of(origin, exact=self._exact) for origin in origins)
-        if first is None or any(pose != first for pose in others):
+        if first is None or not all(pose and _is_same(pose, first) for pose in others):
             return
         if not all(same_words(row, ZEROS) for row in first.values()):
             self.pose = CommonPose(origins[0])

@@ -22,7 +22,7 @@ from ...runtime.files import Library, rules_of
 from ...xml.reader import read_xml
 from ...xml.tree import Element
 from .comparing import compare_notes, without_made_names
-from .document import Body, Entry, element_key
+from .document import RECORD_WIDTH, Body, Entry, element_key
 from .elements import (
     ElementWriter,
     child_of,
@@ -41,7 +41,7 @@ from .writing import write_document
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Mapping, Sequence, Set
 
     from ...diagnostics import Diagnostic
     from ...files.readable import Reach
@@ -53,6 +53,8 @@ WATER = 1000.0
 """The density in kg/m³ of geoms that MJCF says nothing else of."""
 
 
+DECIMALS = 3
+"""Those that angles in degrees may have."""
 WAYS = ((True, True), (True, False), (False, False))
 """The ways to write a robot, the shortest first: with functions, with sensors that make frames."""
 
@@ -285,7 +287,8 @@ def _write(
     """
     while True:
         known = len(plain)
-        variables = Variables(root)
+        colors = colors_in(root)
+        variables = Variables(root, without=colors)
         elements = ElementWriter(variables.file_name)
         shown = copied(root)
         naming = _naming_of(root)
@@ -295,10 +298,12 @@ def _write(
             notes,
             elements=elements,
             names=writer.names,
-            degrees=Degrees({}),
+            degrees=Degrees({}, DECIMALS),
             absorbs=absorbs,
         )
-        writer.parts = RobotParts(words, elements, writer.names, variables.material, exact=exact)
+        writer.parts = RobotParts(
+            words, colors, elements, writer.names, variables.material, exact=exact
+        )
         model = writer.body(without=words.absorbed)
         words.put_in_order(model)
         words.put_shapes_last(model)
@@ -380,13 +385,42 @@ FEWEST_NAMED = 3
 """Parts that have to gain one name by another way of naming."""
 
 
+def colors_in(root: Element) -> set[int]:
+    """Return the identities of the materials that are called as `color` in a visual calls them.
+
+    That is after the first link that has the colour.
+    """
+    found: set[int] = set()
+    names: dict[tuple[str, ...], str] = {}
+    for link in root.elements():
+        for visual in link.elements() if link.name == "link" else ():
+            for material in visual.elements():
+                inner = material.elements()
+                if material.name != "material" or [each.name for each in inner] != ["color"]:
+                    continue
+                rgba = tuple(values_of(inner[0]).get("rgba", "").split())
+                stem = wanted = f"{name_of(link)}_color"
+                number = 1
+                while wanted in names.values():
+                    number += 1
+                    wanted = f"{stem}_{number}"
+                if name_of(material) == names.get(rgba, wanted):
+                    names[rgba] = name_of(material)
+                    found.add(id(material))
+    return found
+
+
 class RobotParts(PartWriter):
     """Writes the parts of a robot that has notes and blocks."""
 
-    def __init__(self, words: Notes, *arguments: object, **keywords: object) -> None:
-        """Take the notes as words, and what a writer of parts takes."""
+    def __init__(
+        self, words: Notes, colors: Set[int], *arguments: object, **keywords: object
+    ) -> None:
+        """Take notes as words, the materials that are colours, and what a writer of parts takes."""
         super().__init__(*arguments, **keywords)  # type: ignore[arg-type]
         self._words = words
+        self._colors = colors
+        self._degrees = Degrees({}, DECIMALS)
 
     def _check_names(self, link: Element, joint: Element | None) -> bool:
         names = [name_of(each) for each in (link, joint) if each is not None]
@@ -412,6 +446,18 @@ class RobotParts(PartWriter):
             if isclose(float(entry.value), WATER * shape.volume(), rel_tol=TOLERANCE):
                 return Entry("density", f"{WATER:g}", entry.comment)
         return entry
+
+    def _section(self, section: Element, plan: LinkPlan) -> Entry:
+        entry = super()._section(section, plan)
+        if isinstance(entry.value, Body) and entry.value.in_braces:
+            entry.value.width = RECORD_WIDTH
+        return entry
+
+    def _section_child(self, child: Element) -> Entry:
+        if id(child) in self._colors:
+            (color,) = child.elements()
+            return Entry("color", " ".join(values_of(color)["rgba"].split()))
+        return super()._section_child(child)
 
     def _words_of_link(self, link: Element) -> list[Entry]:
         return self._words.in_link(link)

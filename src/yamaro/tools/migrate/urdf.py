@@ -292,8 +292,8 @@ class Variables:
         declared: their entries.
     """
 
-    def __init__(self, root: Element) -> None:
-        """Look for what repeats."""
+    def __init__(self, root: Element, *, without: Container[int] = ()) -> None:
+        """Look for what repeats; `without` the materials of some identities."""
         self.declared = Body()
         self._taken: set[str] = set()
         self._folders: list[tuple[str, str]] = []
@@ -320,7 +320,9 @@ class Variables:
         counts: dict[tuple[tuple[str, str], ...], int] = {}
         for owner in _all_named(root, "visual") + _all_named(root, "collision"):
             for material in owner.elements():
-                if material.name != "material" or not is_short_material(material):
+                if material.name != "material" or id(material) in without:
+                    continue
+                if not is_short_material(material):
                     continue
                 attributes = _material_of(material)
                 if len(attributes) > 1:
