@@ -23,8 +23,9 @@ if TYPE_CHECKING:
     from .building import Builder
     from .tree import Context
 
-READ = frozenset(("compiler", "default", "worldbody", "asset", "actuator", "equality"))
-"""The sections that are read; others are kept as they are."""
+READ = frozenset(("compiler", "default", "worldbody", "asset", "actuator", "equality", "body"))
+"""The sections that are read, and bodies outside of the world, which MuJoCo passes over; others are
+kept as they are."""
 RESOLVED = frozenset(
     """angle eulerseq autolimits coordinate meshdir texturedir assetdir strippath inertiafromgeom
     inertiagrouprange balanceinertia boundmass boundinertia settotalmass fitaabb""".split()

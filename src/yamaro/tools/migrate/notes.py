@@ -101,7 +101,7 @@ def made_names(link: Element) -> list[Element]:
 
 
 def _is_given(element: Element) -> bool:
-    """Return whether the name of an element stands in a file."""
+    """Return whether the name of an element is written in a file."""
     span = element.value_span("name")
     return span.source.text[span.start : span.end] == name_of(element)
 
