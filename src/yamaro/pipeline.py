@@ -354,7 +354,7 @@ def evaluate(request: Request, interpreter: Interpreter) -> Element:
         if overlay is not None:
             _check_overlay(overlay, request)
             interpreter.files.note(request.source.path or request.source.name)
-            return overlay
+            return Element(overlay.name, overlay.span)
     if request.source.is_xml:
         from .runtime.xml_files import run_xml_main
 

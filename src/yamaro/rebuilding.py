@@ -211,7 +211,9 @@ class Rebuilder:
                 raise
             turn = Turn(None, [], fault=str(error))
         turn.seconds = time.perf_counter() - start
-        paths = [os.path.abspath(self.path)]  # whose change calls for another build
+        # What changes calls for another build, also where one of these cannot be read.
+        named = [each for each in self.options.overlay if isinstance(each, str)]
+        paths = [os.path.abspath(each) for each in (self.path, *named)]
         if turn.build is not None:
             paths += [*turn.build.files, *turn.build.meshes]
         else:

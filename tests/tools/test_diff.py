@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import json
 import os
+import random
 import shutil
 import subprocess
 import sys
+from math import isfinite
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
 
 import pytest
 
@@ -563,3 +566,69 @@ def test_actuators_of_mjcf_are_compared(folder: Path, capsys: pytest.CaptureFixt
     status, out, err = outcome(capsys, "arm.xml", "other.xml")
     assert (status, err) == (1, "")
     assert "kp 50 → 60" in out
+
+
+# --- overlays ---
+
+
+def values_in(urdf: str) -> dict[str, object]:
+    """Return every value of joints and masses, by the name and the place."""
+    found: dict[str, object] = {}
+    for owner in ElementTree.fromstring(urdf):
+        for element in owner.iter() if owner.tag in ("joint", "link") else ():
+            for name, text in element.attrib.items():
+                numbers = text.split()
+                try:
+                    found[f"{owner.get('name')} {element.tag} {name}"] = [*map(float, numbers)]
+                except ValueError:
+                    found[f"{owner.get('name')} {element.tag} {name}"] = text
+    return found
+
+
+def test_an_overlay_leads_from_one_robot_to_the_other(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Of each number of a joint or inertial, one that an overlay has is written in full."""
+    (folder / "a.urdf").write_text(ARM, encoding="utf-8")
+    root = ElementTree.fromstring(ARM)
+    draws = random.Random(3)
+    changed_values = 0
+    for owner in root:
+        for element in owner.findall("./inertial//*") if owner.tag == "link" else owner.iter():
+            for name, text in element.attrib.items():
+                numbers = text.split()
+                if owner.tag in ("joint", "link") and numbers and is_row(numbers):
+                    row = [float(each) * 0.9 + draws.uniform(0.001, 0.1) for each in numbers]
+                    element.set(name, " ".join(map(repr, row)))
+                    changed_values += 1
+    assert changed_values > 20
+    other = ElementTree.tostring(root, encoding="unicode")
+    (folder / "b.urdf").write_text(other, encoding="utf-8")
+    status, overlay, rest = outcome(capsys, "--overlay", "a.urdf", "b.urdf")
+    assert (status, rest) == (0, "")
+    (folder / "unit.yaml").write_text(overlay, encoding="utf-8")
+    assert main(["a.urdf", "--overlay", "unit.yaml", "-q"]) == 0
+    assert values_in(capsys.readouterr().out) == values_in(other)
+    assert outcome(capsys, "--overlay", "b.urdf", "b.urdf") == (0, "overlay: {}\n", "")
+
+
+def is_row(words: list[str]) -> bool:
+    try:
+        return all(map(isfinite, map(float, words)))
+    except ValueError:
+        return False
+
+
+def test_what_an_overlay_cannot_say_is_said_beside_it(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (folder / "a.urdf").write_text(ARM, encoding="utf-8")
+    other = changed(
+        ('size="0.4 0.4 0.1"', 'size="0.4 0.4 0.2"'), ('<mass value="5"/>', '<mass value="6"/>')
+    )
+    (folder / "b.urdf").write_text(other, encoding="utf-8")
+    status, overlay, rest = outcome(capsys, "--overlay", "a.urdf", "b.urdf")
+    assert status == 1
+    assert overlay == "overlay:\n  links:\n    base:\n      mass: 6\n"
+    assert rest.startswith("an overlay cannot say all of it; what is left:\n")
+    assert "0.4 0.4 0.1" in rest and "mass" not in rest

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from ...policy import Policy
     from ...source import Span
     from ...streams import Streams
+    from .overlay import Said
     from .sides import Origin, Origins, Side
 
 COMMAND = Command(
@@ -34,6 +35,7 @@ COMMAND = Command(
     examples=(
         "yamaro diff HEAD:robot.yaml robot.yaml",
         "yamaro diff robot.yaml robot.yaml --a reach:=0.8 --b reach:=1.2",
+        "yamaro diff --overlay cad.urdf identified.urdf > unit-17.yaml",
         "git config diff.yamaro.command 'yamaro diff --git'",
     ),
     second="two files: HEAD:robot.yaml robot.yaml",
@@ -62,6 +64,11 @@ COMMAND = Command(
             wants="a number",
         ),
         Option("stat", "only write how much changed", excludes=("json",)),
+        Option(
+            "overlay",
+            "write the overlay that leads from A to B; exit with 1 if it cannot say all",
+            excludes=("json", "stat", "git"),
+        ),
         Option("exit-zero", "exit with 0 for robots that differ too"),
         Option(
             "git",
@@ -105,8 +112,10 @@ def run(arguments: Arguments, streams: Streams) -> int:
         sides = _build(pair, arguments, streams, policy)
         if sides is None:
             return TROUBLE
-        changes = _compared(sides, tolerance)
         labels = (sides[0].origin.label, sides[1].origin.label)
+        if arguments.has("overlay"):
+            return _write_overlay(sides, labels, arguments, streams, policy)
+        changes = _compared(sides, tolerance)
         text = _written(changes, sides, labels, arguments, streams)
         if changes.skipped and not streams.quiet and not arguments.has("json"):
             names = [side.origin.label for side in sides if not side.has_extras]
@@ -147,8 +156,14 @@ def _build(
     return None if has_errors else (sides[0], sides[1])
 
 
-def _side(index: int, origin: Origin, arguments: Arguments, policy: Policy) -> Side:
-    """Build one side; raise YamaroError for what is wrong with it."""
+def _side(
+    index: int,
+    origin: Origin,
+    arguments: Arguments,
+    policy: Policy,
+    overlay: Said | None = None,
+) -> Side:
+    """Build one side, changed by an overlay; raise YamaroError for what is wrong with it."""
     from ... import api
     from ...commands.conversion import ProgramEnded
     from ...options import UsageError
@@ -167,6 +182,7 @@ def _side(index: int, origin: Origin, arguments: Arguments, policy: Policy) -> S
             command_line=[*arguments.assignments, *own],
             deny=_NO_ROBOT if arguments.has("git") else (),
             on_message=_ignore,
+            overlay=overlay,
         )
     except UsageError as error:
         raise WrongUsage(str(error)) from None
@@ -192,6 +208,46 @@ def _compared(sides: tuple[Side, Side], tolerance: float) -> Changes:
             has_extras=first.has_extras and second.has_extras,
         )
     )
+
+
+# --- an overlay ---
+
+
+def _write_overlay(
+    sides: tuple[Side, Side],
+    labels: tuple[str, str],
+    arguments: Arguments,
+    streams: Streams,
+    policy: Policy,
+) -> int:
+    """Write the overlay that leads from one side to the other; say what it cannot say.
+
+    The first robot is built with it: what differs then from the second one is what is missing.
+    """
+    from ...diagnostics import YamaroError
+    from ...model.changes.change import RENAMED
+    from .overlay import overlay_between, overlay_text
+
+    first, second = sides
+    renamed = {
+        (change.of, change.name): change.new_name
+        for change in _compared(sides, 0.0)
+        if change.kind == RENAMED and change.new_name is not None
+    }
+    overlay = overlay_between(first.robot, second.robot, renamed)
+    try:
+        changed = _side(0, first.origin, arguments, policy, overlay)
+    except YamaroError as error:
+        show(error.diagnostics, arguments, streams)
+        return TROUBLE
+    if deliver([overlay_text(overlay)], arguments, streams) != DONE:
+        return TROUBLE
+    changes = _compared((changed, second), 0.0)
+    if not changes:
+        return SAME
+    rest = _written(changes, (changed, second), labels, arguments, streams)
+    streams.say(f"an overlay cannot say all of it; what is left:\n{rest.rstrip()}")
+    return SAME if arguments.has("exit-zero") else DIFFERENT
 
 
 # --- writing ---

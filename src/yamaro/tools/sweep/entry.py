@@ -282,6 +282,7 @@ def _plan(arguments: Arguments) -> Plan:
         repair_inertia=arguments.has("repair-inertia"),
         sdf_version=options.get("sdf-version"),
         model=options.get("model"),
+        overlay=[os.path.abspath(each) for each in lists.get("overlay", ())],
     )
     axes: dict[str, str] = {}
     for word in arguments.words[1:]:

@@ -340,6 +340,9 @@ def plan_in(folder: str, policy: Policy) -> Plan:
             base=data["base"],
             sdf_version=data["sdf-version"],
             repair_inertia=data["repair-inertia"],
+            overlay=[
+                path_of(each) if isinstance(each, str) else each for each in data.get("overlay", ())
+            ],
         )
         plan = Plan(path_of(data["robot"]), axes, options)
         plan.method, plan.seed, plan.samples = data["method"], data["seed"], data["samples"]

@@ -391,6 +391,10 @@ def data_of(plan: Plan, folder: str) -> dict[str, Any]:
         "base": options.base,
         "repair-inertia": options.repair_inertia,
         "sdf-version": options.sdf_version,
+        "overlay": [
+            os.path.relpath(each, folder) if isinstance(each, str) else dict(each)
+            for each in options.overlay
+        ],
         "timeout": plan.seconds,
         "versions": plan.versions,
     }
