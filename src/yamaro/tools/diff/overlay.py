@@ -1,7 +1,7 @@
 """The overlay that leads from one robot to another, as far as one can: `yamaro diff --overlay`.
 
 It names each value of the joints and links of the first robot that the second one has otherwise, by
-the rows of the schema. Whether it says all is for a comparison to tell.
+the rows of the schema. A comparison shows whether it says all.
 """
 
 from __future__ import annotations
