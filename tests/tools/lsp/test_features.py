@@ -8,6 +8,7 @@ from tests.files.wheels import install
 from tests.tools.lsp.client import Client
 from yamaro.robot.fields import PLACES
 from yamaro.robot.notes import JOINT_WORDS, LINK_WORDS, SURFACE
+from yamaro.robot.overlay import INERTIAL_KEYS, JOINT_KEYS, LINK_KEYS
 from yamaro.tools.lsp.contexts import MANUAL
 
 ARM = """robot: arm
@@ -203,6 +204,14 @@ PART = "robot: r\nmodel:\n- part:\n    name: base\n- part:\n    name: tip\n"
         ("model:\n- include: |", ["leg.yaml", "meshes"], []),
         ("model:\n- include: meshes/|", ["a.stl"], ["leg.yaml"]),
         ("model:\n- include:\n    path: leg.yaml\n    |", ["length", "namespace"], ["path"]),
+        ("overlay:\n  joints:\n    elbow: {|}", ["zero", "limit", "xyz"], ["parent", "part"]),
+        ("overlay:\n  joints:\n    elbow: {limit: {|}}", ["upper", "effort"], ["zero"]),
+        ("overlay:\n  links:\n    arm: {inertial: {|}}", ["mass", "xyz"], ["geometry"]),
+        (
+            "model:\n- include: {path: leg.yaml, overlay: {joints: {elbow: {|}}}}",
+            ["zero", "dynamics"],
+            ["length"],
+        ),
         ("variables:\n  a/|", ["local", "global", "bridge"], []),
         ("arguments:\n  a: {|}", ["default", "range", "help"], []),
         ("arguments:\n  a: {type: |}", ["number", "text"], []),
@@ -509,3 +518,14 @@ def test_the_manual_has_the_keys_of_parts() -> None:
     beside = {"joint": JOINT_WORDS, "link": LINK_WORDS, "collision": {SURFACE}}
     for place in PLACES:
         assert set(MANUAL[place.name]) == place.all_keys | beside.get(place.name, set())
+    overlays = {"joint": JOINT_KEYS, "link": LINK_KEYS, "inertial": INERTIAL_KEYS}
+    for name, keys in overlays.items():
+        assert set(MANUAL[f"{name} of an overlay"]) == set(keys)
+
+
+def test_an_overlay_is_checked_as_it_is_written(client, tmp_path):
+    text = "overlay:\n  joints:\n    elbow: {limt: {upper: 2}}\n"
+    uri, _ = _open(client, tmp_path / "unit.yaml", text)
+    client.wait_for_codes(uri, ["unknown-key"])
+    client.change(uri, 2, [{"text": text.replace("limt", "limit")}])
+    client.wait_for_codes(uri, [])

@@ -129,6 +129,7 @@ _OF_ROOT = {
     "print": VALUE,
     "process": VALUE,
     "base": VALUE,
+    "overlay": "overlay",
 }
 _INNER = {
     "part": {"joint": "joint", "link": "link"},
@@ -137,13 +138,17 @@ _INNER = {
     "visual": {"material": "material"},
     "collision": {"material": "material", "surface": "surface"},
     "actuator": {"motor": "motor"},
-    "attach": {"joint": "joint", "arguments": DATA, "body": BODY},
+    "attach": {"joint": "joint", "arguments": DATA, "body": BODY, "overlay": "overlay"},
     "mirror": {"body": BODY, "rename": DATA, "meshes": DATA},
-    "include": {"arguments": DATA},
+    "include": {"arguments": DATA, "overlay": "overlay"},
     "groups": {},
     "controllers": {},
     "argument": {},
     "control": {"params": DATA, "gpio": DATA},
+    "overlay": {"joints": "joints of an overlay", "links": "links of an overlay"},
+    "joint of an overlay": {word: word for word in (*RECORDS, "actuator") if word != "axis"},
+    "link of an overlay": {"inertia": "inertia", "inertial": "inertial of an overlay"},
+    "inertial of an overlay": {"inertia": "inertia"},
 }
 _STATEMENTS = {
     "part": "part",
@@ -163,6 +168,8 @@ _NAMED = {
     "groups": "group",
     "functions": "function",
     "variables": VALUE,
+    "joints of an overlay": "joint of an overlay",
+    "links of an overlay": "link of an overlay",
 }
 CONTENTS = frozenset((ROOT, BODY, ANY, "part", "joint", "link", "visual", "collision", "inertial"))
 """Places in which statements may be."""
@@ -271,6 +278,8 @@ _POSE = {
     "rpy": f"{_about('origin', 'rpy')}; units such as `90deg` are allowed",
     "pivot": "the point, in the rotated axes, that is placed at `xyz`",
 }
+_ROWS = {name: _POSE[name] for name in ("xyz", "rpy")}
+_OVERLAY = "changes values of what the file makes: a file, or `{joints: …, links: …}`"
 _ORIGIN = {"origin": "the pose as attributes: `{xyz: 0 0 1, rpy: 0 0 0}`"}
 _SIZES = {
     "geometry": f"the shape: {', '.join(SIMPLE_SHAPES)}, or a mesh file",
@@ -431,6 +440,7 @@ MANUAL: dict[str, dict[str, str]] = {
         "path": "the file: relative to this one, `package://name/path`, `$(find name)/path`",
         "namespace": "a name: what the file hands back is `Name.function` and `Name.variable`",
         "arguments": "variables passed to the file, if their names are words of `include`",
+        "overlay": _OVERLAY,
     },
     "attach": {
         "path": "the robot's file: YAML, URDF or xacro",
@@ -441,7 +451,31 @@ MANUAL: dict[str, dict[str, str]] = {
         "prefix": "is put before all names of the attached robot",
         "joint": "the joint between them; by default `{type: fixed}`",
         "arguments": "what is passed to the file",
+        "overlay": _OVERLAY,
     },
+    "overlay": {
+        "joints": "names of joints, and under each the values that change",
+        "links": "names of links, and under each the values that change",
+    },
+    "joint of an overlay": {
+        **_ROWS,
+        "type": described(ELEMENTS["joint"].fields["type"], has_default=False),
+        "zero": "the position of the file at which this robot's joint reads 0",
+        "axis": _about("axis", "xyz"),
+        **{name: _listed(ELEMENTS[name]) for name in RECORDS if name != "axis"},
+        "actuator": f"what drives the joint: {_listed(WORDS['actuator'])}",
+    },
+    "link of an overlay": {
+        "mass": f"{_MASS['mass']}; the inertia stays as it is",
+        "inertia": f"{' '.join(MOMENTS)}, in {unit_of('inertia')}, or some of them by name",
+        "inertial": "mass and inertia, and with `xyz` and `rpy` where the centre of mass is",
+    },
+    "inertial of an overlay": {
+        **_ROWS,
+        "mass": _MASS["mass"],
+        "inertia": f"{' '.join(MOMENTS)}, in {unit_of('inertia')}, or some of them by name",
+    },
+    "inertia": _fields(ELEMENTS["inertia"]),
     "mirror": {
         "plane": "xz (the default), xy or yz",
         "of": "the link whose plane it is",
