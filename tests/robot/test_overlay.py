@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from tests.consumers import oracles
-from yamaro import UsageError, YamaroError, build
+from yamaro import Robot, UsageError, YamaroError, build
 from yamaro.policy import JAIL, SAFE, Policy
 from yamaro.sandbox import jail
 from yamaro.source import OverlaidSpan
@@ -256,6 +256,8 @@ def test_overlays_are_paths_or_mappings_and_the_last_counts(tmp_path: Path) -> N
         return inertial.mass
 
     heavy = {"links": {"rod": {"mass": 5}}}
+    inertial = Robot.from_urdf(path, overlay=heavy).links["rod"].inertial
+    assert inertial is not None and inertial.mass == 5
     assert [mass(unit), mass(unit, heavy), mass(heavy, unit), mass()] == [1.2, 5, 1.2, 1]
     advised = build(path, overlay=[str(unit), heavy], advice=True).warnings
     again = [each for each in advised if each.code == "overlay-again"]

@@ -59,6 +59,8 @@ if TYPE_CHECKING:
     from .pose import Pose, Vector
     from .positions import GivenPositions
 
+    Overlay = str | os.PathLike[str] | Mapping[str, object]
+    Overlays = Overlay | Sequence[Overlay] | None
     Named = TypeVar("Named", Link, Joint)
 
 NAMING = "naming"
@@ -159,13 +161,20 @@ class Robot(Written):
         self._joints_below: dict[str, list[Joint]] | None = None
 
     @classmethod
-    def from_urdf(cls, path: str | os.PathLike[str]) -> Robot:
+    def from_urdf(cls, path: str | os.PathLike[str], *, overlay: Overlays = None) -> Robot:
         """Return the robot of a URDF file, read as it is: xacro is not run, files are not included.
+
+        Args:
+            path: the file.
+            overlay: what changes values of it, as `yamaro.build` takes it, which then reads the
+                file.
 
         Raises:
             FileNotFoundError: the file does not exist; other OSErrors if it cannot be read.
             YamaroError: it is not XML, or not a `<robot>`.
         """
+        if overlay is not None:
+            return _built(path, "robot", None, overlay)
         from .reading import read_file
 
         return read_file(path)
@@ -186,28 +195,38 @@ class Robot(Written):
         return read_text(text, name=name)
 
     @classmethod
-    def from_mjcf(cls, path: str | os.PathLike[str], *, model: str | None = None) -> Robot:
+    def from_mjcf(
+        cls, path: str | os.PathLike[str], *, model: str | None = None, overlay: Overlays = None
+    ) -> Robot:
         """Return the robot of an MJCF file, with those that it includes and attaches.
 
         Args:
             path: the file.
             model: the name that the model has to have; by default any.
+            overlay: what changes values of it, as `yamaro.build` takes it.
 
         Raises:
             FileNotFoundError: the file does not exist; other OSErrors if it cannot be read.
             YamaroError: it has errors, or is not MJCF.
         """
-        return _built(path, "mujoco", model)
+        return _built(path, "mujoco", model, overlay)
 
     @classmethod
-    def from_sdf(cls, path: str | os.PathLike[str], *, model: str | None = None) -> Robot:
+    def from_sdf(
+        cls, path: str | os.PathLike[str], *, model: str | None = None, overlay: Overlays = None
+    ) -> Robot:
         """Return the robot of an SDF file: its first model, or the one of a name.
+
+        Args:
+            path: the file.
+            model: the name of the model; by default that of the first.
+            overlay: what changes values of it, as `yamaro.build` takes it.
 
         Raises:
             FileNotFoundError: the file does not exist; other OSErrors if it cannot be read.
             YamaroError: it has errors, or is not SDF.
         """
-        return _built(path, "model", model)
+        return _built(path, "model", model, overlay)
 
     @property
     def findings(self) -> tuple[Diagnostic, ...]:
@@ -526,13 +545,14 @@ def _first_of_each_name(things: Sequence[Named]) -> dict[str, Named]:
     return found
 
 
-def _built(path: str | os.PathLike[str], head: str, model: str | None) -> Robot:
-    """Return the robot of a file in another format than URDF, read as a build reads it.
+def _built(path: str | os.PathLike[str], head: str, model: str | None, overlay: Overlays) -> Robot:
+    """Return the robot of a file, read as a build reads it.
 
     Args:
         path: the file.
-        head: the element that is a robot in that format.
+        head: the element that is a robot in its format.
         model: the name of the model that is wanted.
+        overlay: what changes values of it.
     """
     import os
     from importlib import import_module  # a build is made above the model
@@ -543,12 +563,14 @@ def _built(path: str | os.PathLike[str], head: str, model: str | None) -> Robot:
     # URDF is what holds the model, and it does not have to hold the loops.
     allow = ["lost-in-urdf"]
     build = import_module("yamaro.api").build(
-        os.fspath(path), model=model, allow=allow, on_message=lambda line: None
+        os.fspath(path), model=model, overlay=overlay, allow=allow, on_message=lambda line: None
     )
     robot: Robot = build.robot
     if robot.span.written() != head:
         name = os.fspath(path)
-        known, root = {"mujoco": ("MJCF", "mujoco"), "model": ("SDF", "sdf")}[head]
+        known, root = {
+            "mujoco": ("MJCF", "mujoco"), "model": ("SDF", "sdf"), "robot": ("URDF", "robot")
+        }[head]  # fmt: skip
         raise failure_of_all(
             "not-urdf",
             f"this is not {known}: its root is not '{root}'",
