@@ -10,19 +10,21 @@ to say so; of pairs in which an overlay cannot say all, what the names of both h
 
 from __future__ import annotations
 
+import io
 import random
-import subprocess
 import sys
 import tempfile
 from collections import defaultdict
 from collections.abc import Iterator
+from contextlib import redirect_stderr, redirect_stdout
 from itertools import pairwise
 from pathlib import Path
 
 from lxml import etree
 from robots import Corpus, corpus_asked_for
 
-ROOT = Path(__file__).parents[1]
+from yamaro.commands.main import main as command
+
 CHANGED, SET = 30, 20
 """Pairs of each kind."""
 PLACES = (
@@ -128,9 +130,11 @@ def set_otherwise(corpus: Corpus) -> Iterator[Pair]:
 
 
 def yamaro(*words: str) -> tuple[int, str, str]:
-    command = [sys.executable, "-m", "yamaro", *words]
-    done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=ROOT)
-    return done.returncode, done.stdout, done.stderr
+    """Return the exit status of a command, and what it writes to standard output and error."""
+    out, error = io.StringIO(), io.StringIO()
+    with redirect_stdout(out), redirect_stderr(error):
+        status = command(words)
+    return status, out.getvalue(), error.getvalue()
 
 
 def main() -> None:
