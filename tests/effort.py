@@ -30,6 +30,11 @@ def is_quick() -> bool:
     return _effort() < USUAL
 
 
+def is_whole() -> bool:
+    """Tell whether this run tries everything."""
+    return _effort() >= WHOLE
+
+
 def examples(count: int) -> int:
     """Return how many of `count` examples the run asks for; call it where a module begins."""
     return count * _effort() // WHOLE
@@ -42,7 +47,7 @@ def is_drawn(name: str, *, of: int) -> bool:
 
 def is_tried(name: str, *, quick: int, usual: int) -> bool:
     """Tell whether this run tries what has a name: one of so many, and all in the whole run."""
-    of = quick if is_quick() else usual if _effort() < WHOLE else 1
+    of = quick if is_quick() else 1 if is_whole() else usual
     return is_drawn(name, of=of)
 
 
