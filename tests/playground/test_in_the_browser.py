@@ -52,12 +52,19 @@ class Playground(Chromium):
         self.wait_for(f"!window.isOld && {BUILT}")
 
     def choose(self, example: str) -> None:
-        """Open an example, and wait until the robot is built."""
+        """Open an example, and wait until the robot is built.
+
+        What takes longer than 5 s is stopped, as a build may on a busy machine: it is asked again.
+        """
         number = [name for name, _, _ in pack.EXAMPLES].index(example)
-        before = self.run("playground.built")
         choice = "document.getElementById('examples')"
-        self.run(f"{choice}.value = {number}; {choice}.dispatchEvent(new Event('change'))")
-        self.wait_for(f"playground.built > {before} && playground.isReady")
+        for _ in range(20):
+            before = self.run("playground.built")
+            self.run(f"{choice}.value = {number}; {choice}.dispatchEvent(new Event('change'))")
+            self.wait_for(f"playground.built > {before} && playground.isReady")
+            problems = self.text("#problems")
+            if "stopped after 5 s" not in problems and "limit-time" not in problems:
+                return
 
     def write(self, text: str, name: str | None = None) -> None:
         """Write a text in place of a file's, and wait for what comes of it."""
