@@ -20,7 +20,7 @@ from ..model.schema import (
     joint_type_hint,
     joint_type_meant,
 )
-from ..source import OverlaidSpan
+from ..source import OverlaidSpan, Span
 from ..xml.tree import Element, OverlaidInclude, RobotNote
 from ..xml.values import Numbers, format_value
 from .fields import read_record, read_value, word_of
@@ -30,10 +30,9 @@ from .rigid import name_of, origin_of, pose_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Collection
+    from collections.abc import Callable, Collection
 
     from ..diagnostics import Reporter
-    from ..source import Span
     from ..xml.tree import RobotWord
     from .lowering import Lowering
 
@@ -127,7 +126,7 @@ class Overlaid:
         try:
             sections = given_once(as_overlay(self, overlay), ("joints", "links"))
         except YamaroError as error:
-            self.lowering.absorb(error)
+            self._absorb(error)
             return
         for kind, change in (("joint", self._change_joint), ("link", self._change_link)):
             section = sections.get(f"{kind}s")
@@ -136,7 +135,7 @@ class Overlaid:
             try:
                 named = given_once(section)
             except YamaroError as error:
-                self.lowering.absorb(error)
+                self._absorb(error)
                 continue
             for key in named.values():
                 try:
@@ -145,7 +144,14 @@ class Overlaid:
                     assert isinstance(element, Element)
                     self.robot.children[index] = change(element, key)
                 except YamaroError as error:
-                    self.lowering.absorb(error)
+                    self._absorb(error)
+
+    def _absorb(self, error: YamaroError) -> None:
+        """Record errors; no hint is to write an expression, as it is elsewhere."""
+        for diagnostic in error.diagnostics:
+            if "$(" in (diagnostic.hint or ""):
+                diagnostic.hint = "an overlay holds values: write a number, with its unit"
+        self.lowering.absorb(error)
 
     def _find(self, kind: str, key: Element) -> int:
         """Return where the link or joint is that a key names.
@@ -184,27 +190,33 @@ class Overlaid:
         lowering = self.lowering
         joint = _own(joint)
         if "type" in keys:
-            self._set(joint, {"type": self._joint_type(keys["type"])})
+            self._attempt(lambda: self._set(joint, {"type": self._joint_type(keys["type"])}))
         kind = joint.attributes.get("type")
         lowering.joint_type = None if kind is None else format_value(kind)
-        self._set_pose(joint, keys)
-        for name in RECORDS:
-            if name in keys and name == "axis":
-                self._set_child(joint, name, self._record(keys[name]), keys[name].span)
-        if "zero" in keys:  # what else the overlay says counts from there
-            self._set_zero(joint, keys["zero"])
-        for name in RECORDS:
-            if name in keys and name != "axis":
-                self._set_child(joint, name, self._record(keys[name]), keys[name].span)
+        for name in POSE:
+            if name in keys:
+                self._attempt(self._set_row, joint, keys[name])
+        # What is after the zero counts from there.
+        for name in ("axis", "zero", *[each for each in RECORDS if each != "axis"]):
+            if name in keys:
+                step = self._set_zero if name == "zero" else self._set_record
+                self._attempt(step, joint, keys[name])
         if "actuator" in keys:
-            self._change_actuator(joint, keys["actuator"])
+            self._attempt(self._change_actuator, joint, keys["actuator"])
         return joint
 
+    def _attempt(self, step: Callable[..., object], *arguments: object) -> None:
+        """Do a step; record what is wrong with it, and go on."""
+        try:
+            step(*arguments)
+        except YamaroError as error:
+            self._absorb(error)
+
     def _entries(self, key: Element, known: Collection[str]) -> Keys:
-        """Return the entries of a link, joint or inertial by name.
+        """Return the entries of a link, joint or inertial by name; record those that are unknown.
 
         Raises:
-            YamaroError: one is unknown, or given twice.
+            YamaroError: one is given twice, or there are none.
         """
         refuse_attributes(key)
         for entry in key.elements():
@@ -212,7 +224,7 @@ class Overlaid:
                 from ..diagnostics import meant_word
 
                 hint, fix = meant_word(entry.name, known, entry.span)
-                raise failure(
+                error = failure(
                     "unknown-key",
                     f"'{entry.name}' is not a value of '{key.name}' that an overlay changes",
                     entry.span,
@@ -220,6 +232,7 @@ class Overlaid:
                     trace=self.lowering.trace,
                     fix=fix,
                 )
+                self._absorb(error)
         return given_once(key)
 
     def _joint_type(self, key: Element) -> tuple[object, Span]:
@@ -237,6 +250,9 @@ class Overlaid:
                 fix=respelling(span, word, joint_type_meant(word), is_safe=True),
             )
         return word, span
+
+    def _set_record(self, joint: Element, key: Element) -> None:
+        self._set_child(joint, key.name, self._record(key), key.span)
 
     def _record(self, key: Element) -> Values:
         """Return the values of an entry such as `limit`, by the schema."""
@@ -271,21 +287,13 @@ class Overlaid:
             fix=fix,
         )
 
-    def _set_pose(self, owner: Element, keys: Keys) -> None:
-        """Change the `<origin>` of an element, as far as a pose is given."""
-        values: Values = {}
-        for name in POSE:
-            if name in keys:
-                value, span = read_value(keys[name])
-                numbers = read_numbers(
-                    self.lowering, value, span, count=3, name=name, trace=self.lowering.trace
-                )
-                values[name] = numbers, span
-        if not values:
-            return
-        first = next(name for name in keys if name in POSE)
-        origin = self._set_child(owner, "origin", values, keys[first].span)
-        if "rpy" in values:
+    def _set_row(self, owner: Element, key: Element) -> None:
+        """Change one row of the `<origin>` of an element."""
+        value, span = read_value(key)
+        trace = self.lowering.trace
+        numbers = read_numbers(self.lowering, value, span, count=3, name=key.name, trace=trace)
+        origin = self._set_child(owner, "origin", {key.name: (numbers, span)}, key.span)
+        if key.name == "rpy":
             origin.attributes.pop("quat_xyzw", None)
 
     def _change_actuator(self, joint: Element, key: Element) -> None:
@@ -425,16 +433,20 @@ class Overlaid:
             return link
         link = _own(link)
         inertial, _ = _child(link, "inertial", next(iter(keys.values())).span)
-        self._set_pose(inertial, keys)
+        for name in POSE:
+            if name in keys:
+                self._attempt(self._set_row, inertial, keys[name])
         if "mass" in keys:
-            self._set_mass(inertial, keys["mass"], has_inertia="inertia" in keys, link=key.name)
+            has_inertia = "inertia" in keys
+            self._attempt(self._set_mass, inertial, keys["mass"], has_inertia, key.name)
         if "inertia" in keys:
-            self._set_child(
-                inertial, "inertia", self._moments(keys["inertia"]), keys["inertia"].span
-            )
+            self._attempt(self._set_inertia, inertial, keys["inertia"])
         return link
 
-    def _set_mass(self, inertial: Element, key: Element, *, has_inertia: bool, link: str) -> None:
+    def _set_inertia(self, inertial: Element, key: Element) -> None:
+        self._set_child(inertial, "inertia", self._moments(key), key.span)
+
+    def _set_mass(self, inertial: Element, key: Element, has_inertia: bool, link: str) -> None:
         value, span = read_value(key)
         trace = self.lowering.trace
         numbers = read_numbers(self.lowering, value, span, count=1, name="mass", trace=trace)
@@ -492,15 +504,18 @@ class Overlaid:
         """Change attributes of an element that is ours, with both places of each."""
         spans = {name: element.value_span(name) for name in element.attributes}
         for name, (value, span) in values.items():
-            before = element.attributes.get(name)
+            before, place = element.attributes.get(name), spans.get(name, element.span)
             element.attributes[name] = value
             if before is None:
-                note = f"it was not given before, in what is at {element.span.place()}"
-                spans[name] = OverlaidSpan(span, note, element.span)
+                if isinstance(place, OverlaidSpan):  # of an element that is new
+                    place = place.replaced or place
+                note = f"it was not given before, in what is at {place.place()}"
             else:
-                self._note_again(name, spans[name], span)
-                note = f"it takes the place of {format_value(before)}, at {spans[name].place()}"
-                spans[name] = OverlaidSpan(span, note, spans[name])
+                if isinstance(place, OverlaidSpan) and place.replaced is None:
+                    place = Span(place.source, place.start, place.end)
+                self._note_again(name, place, span)
+                note = f"it takes the place of {format_value(before)}, at {place.place()}"
+            spans[name] = OverlaidSpan(span, note, place)
         element.value_spans = spans
 
     def _note_again(self, name: str, before: Span, span: Span) -> None:
@@ -531,7 +546,8 @@ class Overlaid:
             for each, known in spans.items():
                 if each not in values and not isinstance(known, OverlaidSpan):
                     spans[each] = OverlaidSpan(known, note)
-            child.span = _overlaid_key(span, before)
+            if not isinstance(before.span, OverlaidSpan) or before.span.source is not span.source:
+                child.span = _overlaid_key(span, before)
         return child
 
     def _move(self, joint: Element, motion: Pose, span: Span) -> None:
@@ -540,7 +556,10 @@ class Overlaid:
         origin = origin_of(joint)
         quaternion = None if origin is None else origin.attributes.get("quat_xyzw")
         if quaternion is not None:
-            x, y, z, w = map(float, format_value(quaternion).split())
+            try:
+                x, y, z, w = map(float, format_value(quaternion).split())
+            except ValueError:
+                return  # the checks report it
             pose = Pose(rotation_from_quaternion(x, y, z, w), pose.position)
         pose = pose @ motion
         values: Values = {}
