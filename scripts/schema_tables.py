@@ -24,6 +24,7 @@ from yamaro.model.controllers import TYPES as KNOWN_CONTROLLERS  # noqa: E402
 from yamaro.model.quantities import default_of, si_units_of  # noqa: E402
 from yamaro.model.schema import (  # noqa: E402
     ELEMENTS,
+    FITTING,
     JOINT_SENSORS,
     LINK_SENSORS,
     RECORDS,
@@ -267,6 +268,7 @@ def values(things: Iterable[Thing], head: str) -> str:
 
 TABLES: dict[str, Callable[[], str]] = {
     "joint": of_joints,
+    "fitting": partial(entries, FITTING),
     "sensors": sensors,
     "units": units,
     "formats": holding,

@@ -62,6 +62,7 @@ def build(path: str | os.PathLike[str], **options: Unpack[AllOptions]) -> Build:
         overlay: what changes values of the robot: the path of an overlay or calibration, the same
             as a mapping, or several of them, of which later ones win.
         on_progress: is called with how far the work is, from 0 to 1, where a format takes long.
+        refitting: what to work out from the meshes that links collide with, as `yamaro fit` does.
         partial: leave out formats that cannot be written, which `Build.refused` then explains, and
             do not warn of losses.
 

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from .files.loader import Loader
+    from .robot.refitting import Refitting
 
     Overlay = str | os.PathLike[str] | Mapping[str, Any]
     Overlays = Overlay | Sequence[Overlay] | None
@@ -52,6 +53,7 @@ if TYPE_CHECKING:
         overlay: Overlays
         on_progress: Callable[[float], None] | None
         partial: bool
+        refitting: Refitting | None
 
     class AllOptions(FileOptions, BuildOptions, total=False):
         """The keywords of `yamaro.build`, which says what they mean."""
@@ -86,6 +88,7 @@ DEFAULTS: dict[str, object] = {
     "overlay": None,
     "on_progress": None,
     "partial": False,
+    "refitting": None,
 }
 """The keywords of `yamaro.build`, with what they are by default."""
 """The endings of files of USD that are not text, by which OpenUSD knows how to read them."""
@@ -178,6 +181,7 @@ class Options:
     overlay: tuple[str | Mapping[str, Any], ...]
     on_progress: Callable[[float], None] | None
     partial: bool
+    refitting: Refitting | None
 
     def __init__(self, **keywords: Unpack[AllOptions]) -> None:
         """Check and complete the keywords of `yamaro.build`.

@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from .model.robot import Robot
     from .policy import Policy
     from .request import Request
+    from .robot.lowering import Fitter
     from .runtime.files import Library
     from .runtime.interpreter import ReadSource
     from .source import Source, Span
@@ -158,7 +159,9 @@ class Run:
     def depends_on_format(self) -> bool:
         """Return whether the run may give something else for another format."""
         names = self._interpreter.files.names_read()
-        return self._interpreter.has_raw_blocks or not TELLTALES.isdisjoint(names)
+        if self._interpreter.has_raw_blocks or self._interpreter.depends_on_format:
+            return True
+        return not TELLTALES.isdisjoint(names)
 
     def build(self, format: str | None = None) -> Build:
         """Return the build of one format, None for URDF or other XML that nobody asked for by name.
@@ -429,19 +432,20 @@ def lower(
 
         overlays = given_overlays(interpreter, request.options.overlay)
     if interpreter.has_parts or overlays:
-        from .robot.lowering import Fitter
         from .robot.part import lower as lower_parts
 
         finder = request.finder
+        fitter = _fitter(interpreter, request)
         root, notes = lower_parts(
             root,
             reporter=reporter,
             resolve_mesh=finder.resolve,
             may_read=finder.allows,
-            fitter=Fitter(is_cached=request.options.policy.is_trusted),
+            fitter=fitter,
             overlays=overlays,
             wants_advice=request.options.wanted_advice(),
         )
+        interpreter.depends_on_format = fitter.differs_in_urdf
     if interpreter.has_blocks:
         from .robot.notes import take_raw_blocks
 
@@ -455,7 +459,31 @@ def lower(
             from .robot.material import settle_materials
 
             root = settle_materials(root)
+    if request.options.refitting is not None:
+        from .robot.part import lowering_of
+        from .robot.refitting import refitted
+
+        fitter = _fitter(interpreter, request)
+        finder = request.finder
+        lowering = lowering_of(
+            root, reporter, finder.resolve, may_read=finder.allows, fitter=fitter
+        )
+        root, notes = refitted(
+            lowering, root, notes, request.options.refitting, on_work=request.options.on_progress
+        )
+        interpreter.depends_on_format |= fitter.differs_in_urdf
     return root, notes
+
+
+def _fitter(interpreter: Interpreter, request: Request) -> Fitter:
+    """Return what shapes that are worked out from meshes need of the build."""
+    from .robot.lowering import Fitter
+
+    return Fitter(
+        is_cached=request.options.policy.is_trusted,
+        is_for_urdf=interpreter.target == URDF,
+        known=request.fits,
+    )
 
 
 def check(

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 
     from .diagnostics import Diagnostic
     from .files.readable import Reach
+    from .fitting.fit import Fit
     from .options import Options
     from .policy import Policy
     from .runtime.files import Library
@@ -57,6 +58,7 @@ class Request:
         places: where the name of each of them is written.
         packages: finds packages.
         finder: finds the files of meshes.
+        fits: the shapes that were worked out from meshes so far.
         reporter: takes the warnings.
         adjustment: which codes are allowed and denied.
         file_name: what the file of the document is called: "" on standard output, None to call it
@@ -64,8 +66,8 @@ class Request:
     """
 
     __slots__ = (
-        "_folder", "_paths", "_run", "adjustment", "file_name", "finder", "options", "packages",
-        "places", "reporter", "source", "stem", "variables",
+        "_folder", "_paths", "_run", "adjustment", "file_name", "finder", "fits", "options",
+        "packages", "places", "reporter", "source", "stem", "variables",
     )  # fmt: skip
 
     def __init__(
@@ -92,6 +94,7 @@ class Request:
         self.packages = finder_for(path, reach, options.packages)
         start = folder_of(path)
         self.finder = MeshFinder(self.packages, reach, start=start)
+        self.fits: dict[bytes, Fit] = {}
         self.reporter = Reporter()
         self.adjustment = options.adjustment
         self.file_name: str | None = ""

@@ -92,6 +92,7 @@ SEVERITIES = {
     "out-of-range": "advice",
     "overlay-again": "advice",
     "overlay-inertia": "advice",
+    "poor-fit": "advice",
     "prefix-not-passed": "warning",
     "quaternion-not-unit": "warning",
     "remote-mesh": "advice",

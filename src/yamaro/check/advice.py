@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator, Mapping
 
     from ..diagnostics import Reporter
-    from ..model.extras import Actuator
+    from ..model.extras import Actuator, Fitted
     from ..model.joint import Joint, Limit, Mimic
     from ..model.link import Collision, Link, Visual
     from ..model.pose import Pose, Vector
@@ -48,6 +48,8 @@ GIMBAL_TOLERANCE = 1e-3
 QUARTER_TOLERANCE = 5e-3
 """How far 1.57, 3.14 and 4.71 are from quarter turns, and some room."""
 MOST_TURNS = 4 * pi
+FAR_FROM_MESH = 0.1
+"""The greatest distance of a shape from its mesh, as a part of the mesh's size."""
 MOST_SLASHES = 3
 """Names with a slash; where there are more, it is meant."""
 
@@ -99,6 +101,9 @@ def check_advice(
         _advise_on_pose(joint.origin, joint.element, told)
         _advise_on_limit(joint, told)
         _advise_on_motor(joint, robot.actuators.get(joint.name), told)
+    for fitted in robot.fits:
+        told.outermost = links[fitted.link].element if fitted.link in links else None
+        _advise_on_fit(fitted, told)
     told.outermost = None
     _advise_on_zero_limits(joints.values(), told)
     _advise_on_axes(joints.values(), told)
@@ -125,6 +130,25 @@ def _advise_on_extensions(robot: Robot, tree: Tree, context: CheckContext) -> No
 
         check_ros2_control(blocks.get("ros2_control", ()), tree, context)
         check_transmissions(blocks.get("transmission", ()), tree, context)
+
+
+def _advise_on_fit(fitted: Fitted, context: CheckContext) -> None:
+    """Report a shape that is far from the mesh that it was worked out from."""
+    if not fitted.distance > FAR_FROM_MESH * fitted.size:
+        return
+    others = [
+        word
+        for word in ("fit: best", "decompose: 8", "spheres: 24")
+        if word.split(":")[0] != fitted.word or fitted.word == "fit" != fitted.kind
+    ]
+    context.report(
+        "poor-fit",
+        f"the {fitted.section} of link '{fitted.link}' is far from '{fitted.mesh}': "
+        f"{fitted.quality()}",
+        fitted.element,
+        hint=f"try {', '.join(others[:-1])} or {others[-1]}, and look at it: yamaro picture "
+        "--show visual,collision",
+    )
 
 
 def _sections(link: Link) -> Iterator[Inertial | Visual | Collision]:

@@ -227,7 +227,7 @@ def _build(
 
     path = arguments.words[0]
     on_progress = None
-    if arguments.has("to"):  # only writing some output formats takes long
+    if arguments.has("to") or arguments.known_command.targets is not None:  # it may take long
         from .progress import progress_on
 
         on_progress = progress_on(streams)

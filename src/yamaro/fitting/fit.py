@@ -107,6 +107,7 @@ def work_out(
     *,
     allows: Callable[[str], bool] | None = None,
     cache: MeshCache | None = None,
+    known: dict[bytes, Fit] | None = None,
 ) -> Fit:
     """Return a shape for the mesh in a file.
 
@@ -116,23 +117,24 @@ def work_out(
         wanted: what is asked for.
         allows: whether another file that this one names may be read; None allows all.
         cache: keeps results from one run to the next.
+        known: keeps them in this run.
 
     Raises:
         MeshFileError: the file cannot be read, or has no surface that a shape fits.
         MissingLibraryError: a library is not installed.
     """
-    key = _key(path, scale, wanted) if cache is not None else None
-    if cache is not None and key is not None:
-        known = cache.get(key)
-        if known is not None:
-            try:
-                return unpacked(known)
-            except (ValueError, KeyError, IndexError):
-                pass  # another version wrote it
-    fit = fitted(_scaled(read_mesh(path, allows), scale), wanted)
-    if cache is not None and key is not None:
-        cache.put(key, packed(fit))
-    return fit
+    key = _key(path, scale, wanted)
+    if key is None or known is None:
+        known, key = {}, key or b""
+    if key not in known:
+        kept = None if cache is None or not key else cache.get(key)
+        try:
+            known[key] = unpacked(kept or b"")
+        except (ValueError, KeyError, IndexError):  # there is none, or it is broken
+            known[key] = fitted(_scaled(read_mesh(path, allows), scale), wanted)
+            if cache is not None and key:
+                cache.put(key, packed(known[key]))
+    return known[key]
 
 
 def _key(path: str, scale: tuple[float, ...], wanted: Wanted) -> bytes | None:

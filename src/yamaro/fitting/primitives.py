@@ -39,7 +39,7 @@ DIGITS = 5
 ANGLE_DIGITS = 6
 SIMPLER = ("sphere", "capsule", "box", "cylinder")
 """The shapes in the order of what a test of contact costs."""
-ALIKE = 0.02
+ALIKE = 0.1
 """The part by which an error may be greater: then the simpler shape is taken."""
 PREFERS_AXES = 1e-3
 """The same for the axes of the mesh, in place of others."""

@@ -25,9 +25,13 @@ if TYPE_CHECKING:
     from .sampling import Floats, Whole
 
 SAMPLES = 4000
-"""Points on the mesh, and as many on the pieces."""
-NEAREST = 8
+"""Points on the mesh."""
+FEWER = 1500
+"""Points on the pieces."""
+NEAREST = 4
 """Triangles that are looked at around a point."""
+MOST_LONG = 20_000
+"""Triangles that are looked at since they reach far."""
 MOST_CORNERS = 20_000
 """Corners of the mesh that are looked at."""
 CELLS = 48
@@ -54,7 +58,7 @@ def quality_of(
         inner = np.minimum(inner, piece.distances(looked_at))
     farthest = float(abs(inner).max())
     for index, piece in enumerate(pairs):
-        outer = piece.samples(max(200, SAMPLES // len(pairs)))
+        outer = piece.samples(max(200, FEWER // len(pairs)))
         for number, other in enumerate(pairs):
             if number != index and len(outer):  # what is inside of another piece does not count
                 outer = outer[other.distances(outer) > -1e-9]
@@ -99,7 +103,10 @@ class _Surface:
         samples: points spread over it.
     """
 
-    __slots__ = ("_found_in", "_points", "_points_in", "_triangles", "samples")
+    __slots__ = (
+        "_found_in", "_long", "_middle", "_points", "_points_in", "_squares", "_triangles",
+        "samples",
+    )  # fmt: skip
 
     def __init__(self, points: Floats, triangles: Whole) -> None:
         self._points = points
@@ -109,20 +116,38 @@ class _Surface:
         step = max(1, len(middles) // SAMPLES)
         self.samples = samples
         self._found_in = np.concatenate([found_in, np.arange(0, len(middles), step)])
-        self._points_in = np.concatenate([samples, middles[::step]])
+        self._middle = samples.mean(axis=0)
+        self._points_in = np.concatenate([samples, middles[::step]]) - self._middle
+        self._squares = (self._points_in**2).sum(axis=1)
+        reach = np.sqrt(((points[triangles] - middles[:, None]) ** 2).sum(axis=2)).max(axis=1)
+        chosen = np.argsort(-reach, kind="stable")[:MOST_LONG]
+        self._long = chosen, middles[chosen] - self._middle, reach[chosen]
 
     def distances(self, points: Floats) -> Floats:
-        """Return the distances of points to the triangles near them."""
+        """Return the distances of points to the triangles.
+
+        A point is measured to the triangles that the nearest samples are in, and to each of those
+        that reach farthest from their middles which may be nearer.
+        """
         found = []
         for start in range(0, len(points), 256):
             some = points[start : start + 256]
-            apart = ((some[:, None, :] - self._points_in[None, :, :]) ** 2).sum(axis=2)
+            local = some - self._middle
+            apart = self._squares - 2 * (local @ self._points_in.T)
             count = min(NEAREST, apart.shape[1])
             nearest = np.argpartition(apart, count - 1, axis=1)[:, :count]
-            chosen = self._triangles[self._found_in[nearest]]
-            corners = self._points[chosen]
-            found.append(_to_triangles(some[:, None, :], corners).min(axis=1))
-        return np.concatenate(found)
+            corners = self._points[self._triangles[self._found_in[nearest]]]
+            least = _to_triangles(some[:, None, :], corners).min(axis=1)
+            chosen, middles, reach = self._long
+            if len(chosen):
+                squares = (local * local).sum(axis=1)[:, None] + (middles * middles).sum(axis=1)
+                squares -= 2 * (local @ middles.T)
+                bound = (least[:, None] + reach) ** 2
+                which, near = np.nonzero(squares < bound)
+                corners = self._points[self._triangles[chosen[near]]]
+                np.minimum.at(least, which, _to_triangles(some[which], corners))
+            found.append(least)
+        return np.concatenate(found) if found else np.zeros(0)
 
 
 def _to_triangles(points: Floats, corners: Floats) -> Floats:

@@ -336,6 +336,7 @@ class Fitted(Noted):
         count: how many there are.
         word: `fit`, `decompose`, `spheres` or `triangles`.
         kind: with `fit` which shape was asked for, else "".
+        made: which shape it is: `box` …, `hull`; or `pieces`, `spheres` or `mesh`.
         wanted: how many pieces, spheres or triangles were asked for; 0 with `fit`.
         covers: whether they contain the mesh.
         distance: the greatest distance between their surface and that of the mesh, in metres.
@@ -348,7 +349,8 @@ class Fitted(Noted):
     """
 
     __slots__ = (
-        "count", "covers", "distance", "excess", "index", "kind", "link", "mesh", "pose", "scale",
+        "count", "covers", "distance", "excess", "index", "kind", "link", "made", "mesh", "pose",
+        "scale",
         "section", "size", "wanted", "word",
     )  # fmt: skip
 
@@ -360,6 +362,7 @@ class Fitted(Noted):
         self.count = int(self.number("count") or 0)
         self.word = self._text("word")
         self.kind = self._text("kind")
+        self.made = self._text("made")
         self.wanted = int(self.number("wanted") or 0)
         self.covers = self._text("cover") == "true"
         self.distance = float(self.number("distance") or 0.0)
@@ -372,10 +375,23 @@ class Fitted(Noted):
         rpy = numbers_of(element, "rpy") or (0.0, 0.0, 0.0)
         self.pose = Pose(rotation_from_rpy(*rpy), (x, y, z))
 
+    _internal = frozenset(("asked", "quality"))
+
     @property
     def asked(self) -> str:
         """Return what was asked for as it is written, such as `fit: capsule`."""
-        return f"{self.word}: {self.kind or self.wanted}"
+        return f"{self.word}: {self.kind or self.wanted}{', cover: true' if self.covers else ''}"
+
+    def quality(self) -> str:
+        """Return how good it is: `at most 3.1 mm from the mesh, 1.2 % of its size; …`."""
+        part = self.distance / self.size if self.size else 0.0
+        text = (
+            f"at most {1000 * self.distance:.3g} mm from the mesh, {100 * part:.2g} % of its size"
+        )
+        if self.excess is None:
+            return f"{text}; the mesh is not closed, so it has no volume"
+        more = "more" if self.excess >= 0 else "less"
+        return f"{text}; {100 * abs(self.excess):.3g} % {more} volume"
 
 
 class State(Noted):

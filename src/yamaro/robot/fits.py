@@ -18,6 +18,7 @@ from .pose import Pose, compose_poses, origin_element
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from ..diagnostics import Frame
     from ..fitting.fit import Fit, Placed, Wanted
     from ..meshes.cache import MeshCache
     from ..source import Span
@@ -59,19 +60,40 @@ def fitted_sections(
             trace=asked.trace,
         )
     wanted = _wanted(lowering, asked, fields)
-    fit = _worked_out(lowering, asked, geometry, wanted)
+    fit = worked_out(
+        lowering,
+        wanted,
+        word=geometry.word,
+        span=geometry.span,
+        scale=geometry.scale.values if geometry.scale is not None else (1.0, 1.0, 1.0),
+        at=asked.span,
+        trace=asked.trace,
+    )
+    pieces = pieces_to_write(lowering, fit)
     made: list[Element] = []
     name = format_value(key.attributes.get("name")).strip()
-    for number, piece in enumerate(fit.pieces):
+    for number, piece in enumerate(pieces):
         children: list[Node] = [*rest]
-        shape, origin = _piece(lowering, asked, geometry, piece, pose, number)
+        shape, origin = _piece(lowering, asked, wanted, geometry, piece, pose)
         section = key.with_children(
             [shape, *children] if origin is None else [origin, shape, *children]
         )
         if name and number:
             section.attributes = {**key.attributes, "name": f"{name}_{number + 1}"}
         made.append(section)
-    lowering.fits[id(key)] = key, _note(asked, geometry, wanted, fit, pose)
+    note = note_of(
+        wanted,
+        fit,
+        span=asked.span,
+        place=geometry.span,
+        trace=asked.trace,
+        count=len(made),
+        filename=geometry.word,
+        scale=geometry.scale or Numbers.of(1.0, 1.0, 1.0),
+        xyz=pose.xyz,
+        rpy=pose.rpy,
+    )
+    lowering.fits[id(key)] = key, note
     return made
 
 
@@ -121,8 +143,26 @@ def _wanted(lowering: Lowering, asked: Element, fields: Fields) -> Wanted:
 # --- the result -------------------------------------------------------------------------------
 
 
-def _worked_out(lowering: Lowering, asked: Element, geometry: Geometry, wanted: Wanted) -> Fit:
-    """Return the shape; see `fitting.fit.work_out`.
+def worked_out(
+    lowering: Lowering,
+    wanted: Wanted,
+    *,
+    word: str,
+    span: Span,
+    scale: tuple[float, ...],
+    at: Span,
+    trace: Frame | None,
+) -> Fit:
+    """Return a shape for a mesh; see `fitting.fit.work_out`.
+
+    Args:
+        lowering: the run.
+        wanted: what is asked for.
+        word: the mesh file, as it is written.
+        span: where it is written.
+        scale: the factors of the mesh.
+        at: where it is asked for.
+        trace: the calls and includes that led there.
 
     Raises:
         YamaroError: the mesh is missing or cannot be used, or a library is missing.
@@ -130,7 +170,7 @@ def _worked_out(lowering: Lowering, asked: Element, geometry: Geometry, wanted: 
     from ..fitting.fit import work_out
     from ..meshes.formats import MeshFileError, MissingLibraryError
 
-    word, span, trace = geometry.word, geometry.span, asked.trace
+    notes = [] if at is span else [f"'{wanted.word}' is given at {at.place()}"]
     path = lowering.resolve_mesh(word, span)
     if path is None:
         raise failure(
@@ -138,36 +178,35 @@ def _worked_out(lowering: Lowering, asked: Element, geometry: Geometry, wanted: 
             f"the mesh '{word}' is not found, but a shape is worked out from it",
             span,
             hint="a relative path starts at the folder of the file that contains it",
-            notes=[f"'{asked.name}' is given at {asked.span.place()}"],
+            notes=notes,
             trace=trace,
         )
-    scale = geometry.scale.values if geometry.scale is not None else (1.0, 1.0, 1.0)
-    fitter = lowering.fitter
-    if fitter.on_work is not None:
-        fitter.on_work(f"{wanted} of {word}")
     try:
         return work_out(
             path,
             scale,
             wanted,
             allows=lowering.may_read,
-            cache=_cache() if fitter.is_cached else None,
+            cache=_cache() if lowering.fitter.is_cached else None,
+            known=lowering.fitter.known,
         )
     except MeshFileError as error:
         raise failure(
             "bad-mesh",
             f"no shape can be worked out from the mesh '{word}': {error}",
             span,
-            hint=f"repair the mesh, or write a shape in place of '{asked.name}', such as "
-            "geometry: box",
-            notes=[f"'{asked.name}' is given at {asked.span.place()}"],
+            hint=f"repair the mesh, or write a shape in place of '{wanted.word}', such as "
+            "geometry: box"
+            if notes
+            else "repair the mesh, or name the other links: --links 'arm_*'",
+            notes=notes,
             trace=trace,
         ) from error
     except MissingLibraryError as error:
         raise failure(
             "missing-extra",
-            f"'{asked.name}' needs the Python package '{error}'",
-            asked.span,
+            f"'{wanted.word}' needs the Python package '{error}'",
+            at,
             hint='run pip install "yamaro[fit]"',
             trace=trace,
         ) from error
@@ -182,22 +221,54 @@ def _cache() -> MeshCache | None:
     return None if folder is None else MeshCache(folder)
 
 
+def pieces_to_write(lowering: Lowering, fit: Fit) -> tuple[Placed | bytes, ...]:
+    """Return the pieces as they are written: capsules are not in URDF 1.0."""
+    pieces = fit.pieces
+    if not lowering.has_capsule:
+        split = _without_capsules(pieces)
+        if split is not pieces:
+            lowering.fitter.differs_in_urdf = True
+            return split if lowering.fitter.is_for_urdf else pieces
+    return pieces
+
+
+def _without_capsules(pieces: tuple[Placed | bytes, ...]) -> tuple[Placed | bytes, ...]:
+    """Return pieces with a cylinder and two spheres in place of each capsule.
+
+    Only urdfdom from version 5.1 knows capsules, in robots of version 1.1; the readers of ROS 2
+    before that, and pinocchio, drop the shape, so that nothing would collide.
+    """
+    from ..fitting.fit import Placed
+    from ..model.pose import rotate, rotation_from_rpy
+    from ..model.shapes import Capsule, Cylinder, Sphere
+
+    found: list[Placed | bytes] = []
+    for piece in pieces:
+        if isinstance(piece, bytes) or not isinstance(piece.shape, Capsule):
+            found.append(piece)
+            continue
+        radius, length = piece.shape.size
+        found.append(Placed(Cylinder(radius, length), piece.xyz, piece.rpy))
+        x, y, z = piece.xyz
+        a, b, c = rotate(rotation_from_rpy(*piece.rpy), (0.0, 0.0, length / 2))
+        ends = ((x + a, y + b, z + c), (x - a, y - b, z - c))
+        found += [Placed(Sphere(radius), end, (0.0, 0.0, 0.0)) for end in ends]
+    return pieces if len(found) == len(pieces) else tuple(found)
+
+
 def _piece(
     lowering: Lowering,
     asked: Element,
+    wanted: Wanted,
     geometry: Geometry,
     piece: Placed | bytes,
     pose: Pose,
-    number: int,
 ) -> tuple[Element, Element | None]:
     """Return the `<geometry>` and the `<origin>` of a piece."""
     span = asked.span
     spans: dict[str, Span]
     if isinstance(piece, bytes):
-        make = lowering.fitter.make_mesh
-        stem = geometry.word.replace("\\", "/").rpartition("/")[2].rpartition(".")[0] or "mesh"
-        name = f"{stem}-{asked.name if asked.name != 'fit' else 'hull'}"
-        filename = name if make is None else make(name, piece)
+        filename = filename_of(lowering, wanted, geometry.word, piece)
         spans = {"filename": span}
         shape = Element("mesh", span, {"filename": filename}, [], asked.trace, spans)
     else:
@@ -213,29 +284,70 @@ def _piece(
     return element, origin_element(pose, asked)
 
 
+def filename_of(lowering: Lowering, wanted: Wanted, mesh: str, piece: bytes) -> str:
+    """Return the name of a piece that is a mesh, after that of the mesh file."""
+    stem = mesh.replace("\\", "/").rpartition("/")[2].rpartition(".")[0] or "mesh"
+    name = f"{stem}-{wanted.kind or wanted.word}"
+    make = lowering.fitter.make_mesh
+    return name if make is None else make(name, piece)
+
+
 def _row(values: tuple[float, ...]) -> Numbers:
     return Numbers(tuple(map(format_component, values)), values)
 
 
-def _note(asked: Element, geometry: Geometry, wanted: Wanted, fit: Fit, pose: Pose) -> RobotNote:
-    """Return the note of what was worked out, without the name and the place of its link."""
+def _made(wanted: Wanted, fit: Fit) -> str:
+    """Return what was made, in a word."""
+    first = fit.pieces[0]
+    if wanted.word == "fit":
+        return "hull" if isinstance(first, bytes) else first.shape.kind
+    return {"decompose": "pieces", "spheres": "spheres"}.get(wanted.word, "mesh")
+
+
+def note_of(
+    wanted: Wanted,
+    fit: Fit,
+    *,
+    span: Span,
+    place: Span,
+    trace: Frame | None,
+    count: int,
+    filename: str,
+    scale: Numbers,
+    xyz: Numbers,
+    rpy: Numbers,
+) -> RobotNote:
+    """Return the note of what was worked out, without the name and the place of its link.
+
+    Args:
+        wanted: what was asked for.
+        fit: the result.
+        span: where it is asked for.
+        place: where the mesh file is written.
+        trace: the calls and includes that led there.
+        count: of the sections that are made of it.
+        filename: the mesh file.
+        scale: its factors.
+        xyz: T_link_mesh, with `rpy`.
+        rpy: its rotation.
+    """
     attributes: dict[str, object] = {
         "word": wanted.word,
         "kind": wanted.kind,
+        "made": _made(wanted, fit),
         "wanted": str(wanted.count),
         "cover": TRUTHS[0] if wanted.covers else TRUTHS[1],
-        "count": str(len(fit.pieces)),
+        "count": str(count),
         "distance": Numbers.of(fit.distance),
         "excess": "" if fit.excess is None else Numbers.of(fit.excess),
         "size": Numbers.of(fit.size),
-        "filename": geometry.word,
-        "scale": geometry.scale or Numbers.of(1.0, 1.0, 1.0),
-        "xyz": pose.xyz,
-        "rpy": pose.rpy,
+        "filename": filename,
+        "scale": scale,
+        "xyz": xyz,
+        "rpy": rpy,
     }
-    spans = dict.fromkeys(attributes, asked.span)
-    spans["filename"] = geometry.span
-    return RobotNote("fit", asked.span, attributes, [], asked.trace, spans)
+    spans = {**dict.fromkeys(attributes, span), "filename": place}
+    return RobotNote("fit", span, attributes, [], trace, spans)
 
 
 def note_fits(lowering: Lowering, link: Element, name: str, out: list[Node]) -> None:

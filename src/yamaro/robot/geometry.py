@@ -7,9 +7,9 @@ from math import isfinite
 from ..diagnostics import failure, suggest
 from ..model.shapes import COUNTS, SIMPLE_SHAPES, SIZES, MeshSolid
 from ..xml.tree import Element, Text
-from ..xml.values import Numbers, format_value
+from ..xml.values import Numbers, format_value, is_number
 from .fields import SIZE_KEYS, read_record, read_value, word_of
-from .numbers import read_numbers
+from .numbers import read_numbers, split_row
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -147,7 +147,10 @@ def read_geometry(
         value, place = read_value(first)
         spans = dict.fromkeys(SIZES.get(kind, ("scale",)), place)
         name, count = f"scale of a {kind}", COUNTS.get(kind, 3)
-        scale = read_numbers(lowering, value, place, count=count, name=name, trace=first.trace)
+        of_all = _scale_of_all(lowering, value, place, first) if kind == "mesh" else None
+        scale = of_all or read_numbers(
+            lowering, value, place, count=count, name=name, trace=first.trace
+        )
     elif sizes:
         scale = _read_sizes(lowering, kind, sizes, spans)
     elif kind != "mesh":
@@ -177,6 +180,20 @@ def read_geometry(
             trace=key.trace,
         )
     return Geometry(key, kind=kind, word=word, span=span, scale=scale, spans=spans)
+
+
+def _scale_of_all(lowering: Lowering, value: object, place: Span, key: Element) -> Numbers | None:
+    """Return the factors of a mesh if one number is given for all axes, else None.
+
+    With a unit of length it says what the numbers in the file are in: `1mm` is 0.001.
+    """
+    is_one = len(split_row(value)) == 1 if isinstance(value, str) else is_number(value)
+    if not is_one:
+        return None
+    one = read_numbers(
+        lowering, value, place, count=1, name="scale of a mesh", trace=key.trace, kind="length"
+    )
+    return Numbers(one.words * 3, one.values * 3)
 
 
 def _read_sizes(

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from ..diagnostics import Diagnostic, Frame, Reporter, YamaroError
+    from ..fitting.fit import Fit
     from ..fixes import Fix
     from ..model.inertia import SolidMoments
     from ..model.shapes import Inertia
@@ -45,22 +46,27 @@ class Fitter:
     Attributes:
         make_mesh: takes the name and the bytes of an STL that is made, and returns its `filename`.
         is_cached: whether results are kept on the disk from one run to the next.
-        on_work: is called with what is worked out, before that.
+        known: what was worked out in this build so far.
+        is_for_urdf: whether the robot is written as URDF, where older versions have no capsules.
+        differs_in_urdf: whether there is a capsule, which URDF holds as a cylinder and two spheres.
     """
 
-    __slots__ = ("is_cached", "make_mesh", "on_work")
+    __slots__ = ("differs_in_urdf", "is_cached", "is_for_urdf", "known", "make_mesh")
 
     def __init__(
         self,
         *,
         make_mesh: Callable[[str, bytes], str] | None = None,
         is_cached: bool = False,
-        on_work: Callable[[str], None] | None = None,
+        is_for_urdf: bool = False,
+        known: dict[bytes, Fit] | None = None,
     ) -> None:
         """Hold it; see the class."""
         self.make_mesh = make_mesh
         self.is_cached = is_cached
-        self.on_work = on_work
+        self.is_for_urdf = is_for_urdf
+        self.known: dict[bytes, Fit] = {} if known is None else known
+        self.differs_in_urdf = False
 
 
 class Lowering:

@@ -328,8 +328,6 @@ def _wrong_count(
     hint = f"write {layout}" if layout else None
     if name == "rgba" and given == 3:
         hint = f"add the opacity: {' '.join(words)} 1"
-    elif name == "scale of a mesh" and given == 1:
-        hint = f"write a factor for each axis: {' '.join(words * 3)}"
     return failure(
         "wrong-count",
         f"{label_of(name)} takes {count} {plural}, but {given or 'none'} {verb} given",

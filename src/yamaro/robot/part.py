@@ -98,13 +98,7 @@ def lower(
             hint="write robot: as the root, or <part>: for an XML element of that name",
             trace=_trace_of_part(root, first, places),
         )
-    lowering = Lowering(
-        reporter,
-        resolve_mesh,
-        may_read=may_read,
-        has_capsule=_has_capsule(root),
-        fitter=fitter,
-    )
+    lowering = lowering_of(root, reporter, resolve_mesh, may_read=may_read, fitter=fitter)
     robot = _rebuilt(lowering, root, places, is_root=True)
     settle(reporter.diagnostics, None)
     settle(lowering.errors, None)
@@ -185,6 +179,24 @@ def _trace_of_part(root: Element, part: Element, holders: dict[int, Element]) ->
         if child is part or holders.get(id(child)) is part:
             return child.trace_within(None)
     raise AssertionError("the part is in none of the children")
+
+
+def lowering_of(
+    root: Element,
+    reporter: Reporter,
+    resolve_mesh: Callable[[str, Span], str | None],
+    *,
+    may_read: Callable[[str], bool] | None,
+    fitter: Fitter | None,
+) -> Lowering:
+    """Return a run for a robot; for the arguments see `lower`."""
+    return Lowering(
+        reporter,
+        resolve_mesh,
+        may_read=may_read,
+        has_capsule=_has_capsule(root),
+        fitter=fitter,
+    )
 
 
 def _has_capsule(root: Element) -> bool:

@@ -178,6 +178,7 @@ class Interpreter:
         self.places: Mapping[str, Span] = {}  # where the variables of the main file are set
         self.passed: dict[tuple[int, int], Passed] = {}  # by the include and the file
         self.has_raw_blocks = self.has_blocks = False  # one is reached; one is not for URDF
+        self.depends_on_format = False  # shapes are not the same for each output format
         self.has_parts = self.is_robot = False
         self.statements_left = policy.limits.statements
         self.depth = self.part_depth = 0

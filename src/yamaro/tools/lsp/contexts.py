@@ -4,7 +4,18 @@ from __future__ import annotations
 
 from ...model.controllers import MANAGER, SOLVERS, TYPES
 from ...model.quantities import described, unit_of
-from ...model.schema import AXES, ELEMENTS, MOMENTS, OF_MOTOR, RECORDS, SENSOR, SENSORS, WORDS
+from ...model.schema import (
+    AXES,
+    ELEMENTS,
+    FITS,
+    FITTING,
+    MOMENTS,
+    OF_MOTOR,
+    RECORDS,
+    SENSOR,
+    SENSORS,
+    WORDS,
+)
 from ...model.shapes import SIMPLE_SHAPES
 from ...motors import MOTORS
 from ...source import Span
@@ -396,11 +407,13 @@ MANUAL: dict[str, dict[str, str]] = {
         **_ORIGIN,
         "material": "a material: its name, or `{name: …, color: …, texture: …}`",
         "color": _about("color", "rgba"),
+        "triangles": described(FITTING.fields["triangles"]),
     },
     "collision": {
         **_SIZES,
         **_POSE,
         **_ORIGIN,
+        **{name: described(field) for name, field in FITTING.fields.items() if name != "triangles"},
         "material": "a material, which some parsers read here",
         "surface": _listed(WORDS["surface"]),
     },
@@ -509,6 +522,8 @@ VALUES: dict[tuple[str, str], tuple[str, ...]] = {
         if field.choices
     },
     ("actuator", "motor"): tuple(MOTORS),
+    ("collision", "fit"): FITS,
+    ("collision", "cover"): ("true", "false"),
     ("controller", "type"): tuple(TYPES),
     ("group", "kinematics"): tuple(SOLVERS),
     ("joint", "axis"): AXES,

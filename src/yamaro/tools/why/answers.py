@@ -20,6 +20,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
+    from ...model.extras import Fitted
     from ...result import Build
     from ...source import Reading
     from ...targets.losses import Loss
@@ -41,6 +42,7 @@ class Answer:
     Attributes:
         address: as it was asked.
         element: the element.
+        fit: how its shape was worked out from a mesh; None if it was not.
         attribute: the name of the attribute, or None for the element itself.
         value: the attribute's value, or the text of the element; None for an element without text.
         span: where the value is written, or the key that made the element.
@@ -55,6 +57,7 @@ class Answer:
         "address",
         "attribute",
         "element",
+        "fit",
         "formats",
         "is_derived",
         "name_span",
@@ -71,6 +74,7 @@ class Answer:
         self.element = element
         self.attribute = attribute
         self.path = path
+        self.fit: Fitted | None = None
         self.formats = {"urdf": tags_of(path, attribute)}
         own = [each.trace for each in reversed(path) if not each.inherits_trace()]
         self.trace: Frame | None = own[0] if own else None
@@ -282,6 +286,8 @@ def _remarks(answer: Answer) -> Iterator[tuple[str, str]]:
         yield "", line
     for span in answer.mirrors:
         yield "", f"mirrored by '{span.written()}' at {span.place()}"
+    if answer.fit is not None:
+        yield "", f"{answer.fit.asked} of '{answer.fit.mesh}': {answer.fit.quality()}"
     for name, text in answer.formats.items():
         yield f"{name}: ", text
 
@@ -328,6 +334,15 @@ def answer_data(answer: Answer) -> dict[str, object]:
             {"kind": step.kind, "name": step.name, "place": _place(step.span)} for step in steps
         ],
         "formats": answer.formats,
+        "fit": None
+        if answer.fit is None
+        else {
+            "asked": answer.fit.asked,
+            "mesh": answer.fit.mesh,
+            "distance": answer.fit.distance,
+            "excess": answer.fit.excess,
+            "size": answer.fit.size,
+        },
         "attributes": {}
         if answer.attribute is not None
         else {
@@ -353,6 +368,19 @@ def _place(span: Span) -> dict[str, object]:
 
 
 # --- what each output format makes of an element or attribute ---------------------------------
+
+
+def fit_of(answer: Answer, build: Build) -> Fitted | None:
+    """Return how the shape that an answer is about was worked out from a mesh, or None."""
+    section = next((each for each in answer.path if each.name in ("visual", "collision")), None)
+    if section is None:
+        return None
+    places = {inner.span.key() for inner in section.iter()}
+    owner = _owner(answer.path[:2])
+    for fitted in build.robot.fits:
+        if fitted.link == owner and fitted.span.key() in places:
+            return fitted
+    return None
 
 
 MOST = 3

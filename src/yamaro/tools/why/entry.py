@@ -64,7 +64,7 @@ def run(arguments: Arguments, streams: Streams) -> int:
     """Write the answer to standard output; return the exit status."""
 
     def answered(build: Build) -> list[str]:
-        from .answers import UnknownAddress, answer, answer_data, answer_text, in_formats
+        from .answers import UnknownAddress, answer, answer_data, answer_text, fit_of, in_formats
 
         formats = arguments.lists.get("to", ["urdf"])
         if len(formats) > 1 or "," in formats[0]:
@@ -75,6 +75,7 @@ def run(arguments: Arguments, streams: Streams) -> int:
         try:
             found = answer(build.outputs[home].root, arguments.words[1], format=home)
             found.formats = in_formats(found, home, build)
+            found.fit = fit_of(found, build)
         except UnknownAddress as error:
             raise WrongUsage(str(error)) from None
         if arguments.has("json"):

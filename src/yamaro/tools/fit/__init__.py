@@ -1,0 +1,1 @@
+"""Shapes worked out for the meshes of a whole robot: `yamaro fit`."""

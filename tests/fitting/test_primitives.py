@@ -1,0 +1,91 @@
+"""Boxes, cylinders, spheres and capsules: found again with noise, and around all corners."""
+
+from __future__ import annotations
+
+from math import dist, hypot, pi
+from random import Random
+
+import pytest
+
+from tests.fitting.solids import noisy
+from yamaro.fitting.fit import Placed, Wanted, fitted, packed, unpacked
+from yamaro.model.pose import Pose, rotate, rotation_from_rpy, transposed
+
+KINDS = ("box", "cylinder", "sphere", "capsule")
+NOISE = 0.01
+
+
+def sizes_of(kind: str, random: Random) -> list[float]:
+    scale = 10 ** random.uniform(-2, 1)
+    if kind == "box":
+        return [random.uniform(0.2, 1) * scale for _ in range(3)]
+    radius = random.uniform(0.1, 0.5) * scale
+    return [radius] if kind == "sphere" else [radius, random.uniform(0.4, 2) * scale]
+
+
+def beyond(piece: Placed, point: tuple[float, float, float]) -> float:
+    """Return how far a point is outside of a shape, by the shape's definition."""
+    x, y, z = (a - b for a, b in zip(point, piece.xyz, strict=True))
+    x, y, z = rotate(transposed(rotation_from_rpy(*piece.rpy)), (x, y, z))
+    size = piece.shape.size
+    match piece.shape.kind:
+        case "box":
+            return max(abs(x) - size[0] / 2, abs(y) - size[1] / 2, abs(z) - size[2] / 2)
+        case "sphere":
+            return hypot(x, y, z) - size[0]
+        case "cylinder":
+            return max(hypot(x, y) - size[0], abs(z) - size[1] / 2)
+        case _:
+            return hypot(x, y, max(abs(z) - size[1] / 2, 0)) - size[0]
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("seed", [1, 2])
+def test_a_noisy_shape_comes_back_within_2_percent(kind: str, seed: int) -> None:
+    size = sizes_of(kind, Random(seed * 7 + len(kind)))
+    mesh, pose = noisy(kind, size, seed, NOISE)
+    (piece,) = fitted(mesh, Wanted("fit", kind=kind)).pieces
+    assert isinstance(piece, Placed)
+    found = piece.shape.size
+    if kind == "box":
+        found, size = tuple(sorted(found)), sorted(size)
+    assert found == pytest.approx(size, rel=0.02)
+    assert dist(piece.xyz, pose.position) < 0.02 * max(size)
+    if kind in ("cylinder", "capsule"):
+        axis = Pose(rotation_from_rpy(*piece.rpy)).apply((0, 0, 1))
+        wanted = rotate(pose.rotation, (0, 0, 1))
+        assert abs(sum(a * b for a, b in zip(axis, wanted, strict=True))) > 0.999
+    (best,) = fitted(mesh, Wanted("fit", kind="best")).pieces
+    assert isinstance(best, Placed)
+    assert best.shape.kind == kind
+
+
+@pytest.mark.parametrize("kind", [*KINDS, "best"])
+def test_what_covers_contains_every_corner_as_it_is_written(kind: str) -> None:
+    mesh, _ = noisy("cylinder", [0.07, 0.31], 5, 0.05)
+    fit = fitted(mesh, Wanted("fit", kind=kind, covers=True))
+    (piece,) = unpacked(packed(fit)).pieces
+    assert isinstance(piece, Placed)
+    assert max(beyond(piece, vertex) for vertex in mesh.vertices) <= 0
+    around = {
+        "box": 0.14 * 0.14 * 0.31,
+        "cylinder": pi * 0.07**2 * 0.31,
+        "sphere": 4 / 3 * pi * hypot(0.07, 0.155) ** 3,
+        "capsule": pi * 0.07**2 * (0.31 + 4 / 3 * 0.07),
+        "best": pi * 0.07**2 * 0.31,
+    }
+    assert piece.shape.volume() < 1.35 * around[kind]  # the corners are off by 3.5 mm
+
+
+def test_a_shape_is_the_same_from_the_cache_and_along_the_axes_of_its_mesh() -> None:
+    mesh, _ = noisy("capsule", [0.05, 0.3], 3, 0.0)
+    local = mesh.vertices
+    one, other = (packed(fitted(mesh, Wanted("fit", kind="capsule"))) for _ in range(2))
+    assert one == other == packed(unpacked(one))
+    straight, pose = noisy("box", [0.4, 0.3, 0.2], 3, 0.0)
+    straight.vertices = [pose.inverse().apply(point) for point in straight.vertices]
+    (piece,) = fitted(straight, Wanted("fit", kind="box")).pieces
+    assert isinstance(piece, Placed)
+    assert (piece.xyz, piece.rpy) == ((0, 0, 0), (0, 0, 0))
+    assert piece.shape.size == (0.4, 0.3, 0.2)
+    assert local is mesh.vertices
