@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Iterable
 from pathlib import Path
 
 STORED = Path(__file__).parent / "cases"
@@ -73,6 +74,14 @@ CASES = unpack(Path(__file__).parents[1] / "build" / "cases")
 
 def find_cases() -> list[Path]:
     return sorted(path for path in CASES.glob("*/*.yaml") if not path.name.startswith("_"))
+
+
+def areas(cases: Iterable[Path]) -> dict[str, list[Path]]:
+    """Return cases by the folder that they are in."""
+    found: dict[str, list[Path]] = {}
+    for case in cases:
+        found.setdefault(case.parent.name, []).append(case)
+    return found
 
 
 def case_id(path: Path) -> str:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.golden import case_id, find_cases, read_options
+from tests.golden import areas, case_id, find_cases, read_options
 from yamaro.api import build
 from yamaro.diagnostics import Diagnostic, YamaroError, did_you_mean
 from yamaro.fixes import Edit, Fix, renumbering, replacement, respelling
@@ -60,9 +60,16 @@ def reported() -> list[Path]:
     ]
 
 
-@pytest.mark.parametrize("case", reported(), ids=case_id)
-def test_a_fix_removes_what_it_is_a_fix_of(case: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(case.parent)
+@pytest.mark.parametrize("cases", areas(reported()).values(), ids=areas(reported()))
+def test_a_fix_removes_what_it_is_a_fix_of(
+    cases: list[Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(cases[0].parent)
+    for case in cases:
+        check_fixes(case)
+
+
+def check_fixes(case: Path) -> None:
     before = findings(case)
     for diagnostic in before:
         fix = diagnostic.fix
