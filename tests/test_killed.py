@@ -9,6 +9,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -23,7 +24,11 @@ pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="has no kill -9"
 
 KILLS = examples(150)
 MOST_TURNS = 1000
-VERSIONS = [b"".join(killed_writer.chunks_of(version)) for version in (0, 1)]
+
+
+@cache
+def versions() -> list[bytes]:
+    return [b"".join(killed_writer.chunks_of(version)) for version in (0, 1)]
 
 
 @pytest.fixture(scope="module")
@@ -70,7 +75,7 @@ def wait_for_progress(path: Path, progress: float) -> None:
     first = path.stat().st_ino
     if progress >= 1:
         wait_for(lambda: path.stat().st_ino != first, pause=0)
-    least = progress % 1 * len(VERSIONS[0])
+    least = progress % 1 * len(versions()[0])
     with contextlib.suppress(FileNotFoundError):  # it has got its name meanwhile
         wait_for(
             lambda: any(file.stat().st_size >= least for file in left_over(path.parent)), pause=0
@@ -83,7 +88,7 @@ def left_over(folder: Path) -> list[Path]:
 
 
 def test_two_versions_of_25_mb_differ_everywhere() -> None:
-    old, new = VERSIONS
+    old, new = versions()
     assert len(old) < len(new)
     assert len(old) == 400 << 16 > 25_000_000
     for start in range(0, len(old), 4096):
@@ -93,7 +98,7 @@ def test_two_versions_of_25_mb_differ_everywhere() -> None:
 @pytest.mark.slow
 def test_a_writer_killed_at_any_moment_leaves_a_whole_file(tmp_path: Path) -> None:
     path = tmp_path / "out.urdf"
-    path.write_bytes(VERSIONS[0])
+    path.write_bytes(versions()[0])
     moments = random.Random(1)
     found: list[int] = []
     shares: list[float] = []  # how much of its file each write had written that was broken off
@@ -101,10 +106,10 @@ def test_a_writer_killed_at_any_moment_leaves_a_whole_file(tmp_path: Path) -> No
         moment = moments.uniform(0, 2)
         kill_writer("whole", path, lambda: wait_for_progress(path, moment))  # noqa: B023
         content = path.read_bytes()
-        assert content in VERSIONS
-        found.append(VERSIONS.index(content))
+        assert content in versions()
+        found.append(versions().index(content))
         for temporary in left_over(tmp_path):
-            shares.append(temporary.stat().st_size / len(VERSIONS[0]))
+            shares.append(temporary.stat().st_size / len(versions()[0]))
             temporary.unlink()
         assert os.listdir(tmp_path) == ["out.urdf"]
     # The kills came while files were written, and not only before or behind that.
@@ -119,9 +124,9 @@ def test_this_would_find_a_writer_that_breaks_files(
     path = tmp_path / "out.urdf"
     moments = random.Random(1)
     for _ in range(MOST_TURNS):
-        path.write_bytes(VERSIONS[0])
+        path.write_bytes(versions()[0])
         kill_writer(way, path, lambda: time.sleep(moments.uniform(0, 2 * seconds)))
-        if path.read_bytes() not in VERSIONS:
+        if path.read_bytes() not in versions():
             return
     pytest.fail("every file was whole")
 
@@ -183,7 +188,7 @@ def test_the_command_killed_while_it_writes_leaves_a_whole_file(
 def test_what_a_killed_writer_leaves_is_let_be(tmp_path: Path) -> None:
     """Another may be writing it: on this machine, or on one that shares the folder."""
     path = tmp_path / "out.urdf"
-    path.write_bytes(VERSIONS[0])
+    path.write_bytes(versions()[0])
     for _ in range(MOST_TURNS):
         kill_writer("whole", path, lambda: wait_for_progress(path, 0.5))
         if left_over(tmp_path):

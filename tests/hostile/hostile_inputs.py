@@ -40,6 +40,7 @@ import os
 import re
 import shlex
 import socket
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -75,24 +76,26 @@ class InputFile:
         name, _, kind = (head or "robot.yaml").partition(" ")
         self.name = made(name)
         self.kind = made(kind)
-        self.place: Place | None = None
-        self.content = b""
-        is_encoded = self.kind in ENCODED
-        encoding = self.kind if is_encoded else "utf-8"
+        self._text = re.sub("⟪⟫\n?", "", text)
+
+    def read(self) -> tuple[bytes, Place | None]:
+        """Return its bytes, of which there may be many, and the place that is marked in it."""
+        place, all_bytes = None, b""
+        encoding = self.kind if self.kind in ENCODED else "utf-8"
         line_break = {"cr": "\r", "crlf": "\r\n"}.get(self.kind, "\n")
-        text = re.sub("⟪⟫\n?", "", text)
         before = ""
         opened = None
-        for piece in re.split("([«»])", text):
+        for piece in re.split("([«»])", self._text):
             if piece == "«":
                 opened = before
             elif piece == "»":
                 assert opened is not None, f"{self.name}: » without «"
-                self.place = place_behind(self.name, opened, before[len(opened) :])
+                place = place_behind(self.name, opened, before[len(opened) :])
             else:
                 shown, content = _made_bytes(piece, encoding, line_break)
                 before += shown
-                self.content += content
+                all_bytes += content
+        return all_bytes, place
 
     def write(self, folder: Path) -> None:
         """Make the file."""
@@ -112,7 +115,7 @@ class InputFile:
             path.symlink_to(self.kind.removeprefix("-> "))
         else:
             assert self.kind in ("", "cr", "crlf", "unreadable", *ENCODED), self.kind
-            path.write_bytes(self.content)
+            path.write_bytes(self.read()[0])
             if self.kind == "unreadable":
                 path.chmod(0)
 
@@ -196,11 +199,12 @@ class HostileInput:
         if at := self.field("at"):
             name, line, column = at.rsplit(":", 2)
             return Place(name, int(line), int(column), None)
-        places = [file.place for file in self.files if file.place is not None]
+        places = [place for file in self.files if (place := file.read()[1]) is not None]
         assert len(places) < 2, f"{self.name}: two places"
         return places[0] if places else None
 
 
+@cache
 def read_inputs() -> list[HostileInput]:
     """Return all inputs, in the order of the files."""
     found: list[HostileInput] = []

@@ -5,17 +5,27 @@ from __future__ import annotations
 import base64
 import os
 import sys
+from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import pytest
 
-anyio = pytest.importorskip("anyio")
-mcp = pytest.importorskip("mcp")
+from tests.later import Later
+from yamaro.commands.main import main
+from yamaro.tools.mcp.folder import Folder, Refused
 
-from yamaro.commands.main import main  # noqa: E402
-from yamaro.tools.mcp.folder import Folder, Refused  # noqa: E402
-from yamaro.tools.mcp.server import Commands, make_server  # noqa: E402
+if TYPE_CHECKING:
+    import anyio
+    import mcp
+
+    from yamaro.tools.mcp.server import Commands, make_server
+else:
+    anyio, mcp = Later("anyio"), Later("mcp")
+    Commands = Later("yamaro.tools.mcp.server", "Commands")
+    make_server = Later("yamaro.tools.mcp.server", "make_server")
+
+pytestmark = pytest.mark.skipif(not find_spec("mcp"), reason="needs mcp")
 
 ARM = """\
 robot: swing
