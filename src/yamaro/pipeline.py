@@ -431,7 +431,7 @@ def lower(
         from .runtime.overlays import given_overlays
 
         overlays = given_overlays(interpreter, request.options.overlay)
-    if interpreter.has_parts or overlays:
+    if interpreter.has_parts or interpreter.has_notes or overlays:
         from .robot.part import lower as lower_parts
 
         finder = request.finder
@@ -444,6 +444,7 @@ def lower(
             fitter=fitter,
             overlays=overlays,
             wants_advice=request.options.wanted_advice(),
+            has_parts=interpreter.has_parts or bool(overlays),
         )
         interpreter.depends_on_format = fitter.differs_in_urdf
     if interpreter.has_blocks:

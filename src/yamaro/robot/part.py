@@ -56,6 +56,7 @@ def lower(
     fitter: Fitter | None = None,
     overlays: Sequence[Element] = (),
     wants_advice: Callable[[str], bool] | None = None,
+    has_parts: bool = True,
 ) -> tuple[Element, Sequence[Element]]:
     """Return the tree with every part replaced by its joint, its link and what is beside them.
 
@@ -72,11 +73,12 @@ def lower(
         fitter: takes the meshes that are made, and keeps what is worked out from meshes.
         overlays: what changes values of the robot, in this order.
         wants_advice: decides which advice to report; None for none.
+        has_parts: whether there may be parts.
 
     Raises:
         YamaroError: holds every error found.
     """
-    places = _places_of_parts(root)
+    places = _places_of_parts(root) if has_parts else {}
     has_notes = any(isinstance(child, RobotNote) for child in root.children)
     if not places and not has_notes and not overlays:
         return root, ()

@@ -60,7 +60,7 @@ def read_robot(interpreter: Interpreter, root: Element) -> Element:
     robot = interpreter.read_source(root, host.read)
     if robot is None:
         return root
-    interpreter.has_parts = interpreter.has_blocks = True
+    interpreter.has_notes = interpreter.has_blocks = True
     return robot
 
 
@@ -389,8 +389,10 @@ def run_xml_main(
         files.note(source.path or source.name)
         root, is_xacro = read_included(source, limits)
         if not is_xacro:
-            root = read_robot(interpreter, root)
-            return tidy_root(root, interpreter.inner_trace(None)), False
+            robot = read_robot(interpreter, root)
+            if robot is root:
+                tidy_root(root, interpreter.inner_trace(None))
+            return robot, False
         if safety is not None and not interpreter.policy.is_confined:
             raise xacro_in_safe_mode(Span(source, root.span.start, root.span.end))
         from ..xacro.expansion import expand

@@ -114,11 +114,15 @@ def remember(known: dict[Key, Value], key: Key, value: Value) -> None:
 # --- values to text ---------------------------------------------------------------------------
 
 
+DIGITS = "0123456789"
+
+
 def format_number(value: float) -> str:
     """Return a float as `repr` of the value rounded to 15 significant digits; no minus zero."""
     text = f"{value:.15g}"
-    if "." in text and "e" not in text:
-        return text  # `repr` says the same: what has 15 digits comes through a float unchanged
+    if "e" not in text and text[-1] in DIGITS:
+        # `repr` says the same: what has 15 digits comes through a float unchanged
+        return text if "." in text else f"{text}.0" if value else "0.0"
     rounded = float(text)
     if rounded - rounded != 0:  # the largest floats have no room to be rounded up
         rounded = value

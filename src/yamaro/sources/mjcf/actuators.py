@@ -19,7 +19,6 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
-    from ...model.joint import Joint
     from ...source import Span
     from .building import Builder
     from .classes import Given
@@ -250,13 +249,21 @@ class Drives:
         known = [each for each in forces if each is not None]
         return sum(known) if known and len(known) == len(forces) else None
 
-    def elements(self, joint: Joint) -> list[Element]:
-        """Return what the block of a joint says of its actuators."""
+    def elements(
+        self, joint: str, room: tuple[float, float] | None, effort: float | None
+    ) -> list[Element]:
+        """Return what the block of a joint says of its actuators.
+
+        Args:
+            joint: the name of the joint.
+            room: its limits, or None.
+            effort: the greatest effort that its limit says, or None.
+        """
         found = []
-        for drive in self.of(joint.name):
+        for drive in self.of(joint):
             element = kept(drive.thing, without=("joint",))
             if drive.is_noted:
-                _leave_out(element, drive, joint)
+                _leave_out(element, drive, room, effort)
                 if not element.attributes and not element.children:
                     continue
             found.append(element)
@@ -322,7 +329,9 @@ def _range(thing: Thing, name: str, flag: str) -> list[float] | None:
     return ends if is_limited else None
 
 
-def _leave_out(element: Element, drive: Drive, joint: Joint) -> None:
+def _leave_out(
+    element: Element, drive: Drive, room: tuple[float, float] | None, effort: float | None
+) -> None:
     """Leave out what the writer of MJCF writes for the note of an actuator; say what it must not.
 
     It calls it like the joint, bounds its force by the effort of the joint, and its control by
@@ -333,15 +342,14 @@ def _leave_out(element: Element, drive: Drive, joint: Joint) -> None:
     word = WORDS[drive.command]
     if element.name != word:
         return
-    if thing.name == joint.name:
+    if thing.name == drive.joint:
         attributes.pop("name", None)
-    effort = joint.limit.effort if joint.limit is not None else None
     bound = (-effort, effort) if effort is not None and effort < 1e15 else None
     control: tuple[float, float] | None = None
     if drive.command == EFFORT:
         control = bound
-    elif drive.command == POSITION and joint.lower is not None and joint.upper is not None:
-        control = (joint.lower, joint.upper)
+    elif drive.command == POSITION:
+        control = room
     forces = bound if drive.command != EFFORT else None
     for name, flag, usual in (
         ("ctrlrange", "ctrllimited", control),

@@ -15,7 +15,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from ...model.link import Color, Material
+    from ...model.link import Color
     from ...source import Span
     from ...xml.tree import Element
     from ..host import Host
@@ -82,7 +82,7 @@ class Assets:
 
     # --- materials ---
 
-    def materials(self) -> list[Material]:
+    def materials(self) -> list[Element]:
         """Return the materials as the model has them."""
         found = []
         for name, thing in self.others.get("material", {}).items():
@@ -100,9 +100,7 @@ class Assets:
                 path = texture.context.path(file[0], texture.context.compiler.texturedir)
                 image = self._host.filename(path, file[1])
                 places["filename"] = file[1]
-            found.append(
-                making.material(Place(thing.span, places), name=name, color=color, texture=image)
-            )
+            found.append(making.material(Place(thing.span, places), name, color, image))
         return found
 
     def _texture(self, material: Thing) -> Thing | None:

@@ -7,7 +7,7 @@ from math import pi
 
 from ...model import making
 from ...model.joint import FIXED
-from ...model.making import Place
+from ...model.making import Place, element
 from ...model.pose import IDENTITY, UNTURNED, ZERO, Pose
 from ...model.values import shape_name
 from ...xml.tree import Element
@@ -24,11 +24,11 @@ from .words import add_camera
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Container, Sequence
+    from collections.abc import Container, Iterable, Sequence
 
-    from ...model.link import Collision, Color, Inertial, Material, Visual
+    from ...model.link import Color
+    from ...model.making import Value
     from ...model.pose import Vector
-    from ...model.shapes import Shape
     from ...source import Span
     from ...xml.tree import Node
     from ...xml.values import Numbers
@@ -158,7 +158,7 @@ class Builder:
             if inner:
                 link.children.append(block(link.span, inner))
         name = self.context.document.name or self._stem()
-        materials = [each.element for each in self.assets.materials()]
+        materials = self.assets.materials()
         return Element(
             "robot",
             self.span,
@@ -291,20 +291,19 @@ class Builder:
 
     # --- links ---
 
-    def _inertial(self, body: Body, mass: Mass) -> Inertial:
+    def _inertial(self, body: Body, mass: Mass) -> Element:
         thing = body.inertial or body.thing
+        place = Place(thing.span)
         (xx, xy, xz), (_, yy, yz), (_, _, zz) = mass.inertia
-        return making.inertial(
-            Place(thing.span),
-            mass=mass.mass,
-            inertia=(xx, xy, xz, yy, yz, zz),
-            pose=self.origin(thing, mass.pose),
-        )
+        moments = {"ixx": xx, "ixy": xy, "ixz": xz, "iyy": yy, "iyz": yz, "izz": zz}
+        parts = [element("mass", place, {"value": mass.mass}), element("inertia", place, moments)]
+        return element("inertial", place, {}, [*self.origin(thing, mass.pose), *parts])
 
-    def origin(self, thing: Thing, pose: Pose) -> Pose:
-        """Return a pose at the place where a thing has it."""
+    @staticmethod
+    def origin(thing: Thing, pose: Pose) -> list[Element]:
+        """Return an origin at the place where a thing has its pose; none where that is nothing."""
         if pose is IDENTITY or (pose.rotation == UNTURNED and pose.position == ZERO):
-            return IDENTITY
+            return []
         places: dict[str, Span] = {}
         for name, (_, span) in thing.given.items():
             if name in ("pos", "fromto"):
@@ -312,14 +311,13 @@ class Builder:
             elif name in ("quat", "euler", "axisangle", "xyaxes", "zaxis"):
                 places["rpy"] = span
         rpy = _plain_angles(pose.rpy) if pose.rotation != UNTURNED else ZERO
-        made = making.pose(Place(thing.span, places), pose.position, rpy)
-        return Pose(pose.rotation, pose.position, made.element)
+        return [making.origin(Place(thing.span, places), pose.position, rpy)]
 
-    def _add_link(self, body: Body, inertial: Inertial | None) -> None:
+    def _add_link(self, body: Body, inertial: Element | None) -> None:
         """Add a link, with what is in the body."""
         thing = body.thing
-        visuals: list[Visual] = []
-        collisions: list[Collision] = []
+        visuals: list[Element] = []
+        collisions: list[Element] = []
         for name, (value, span) in thing.given.items():
             if name in OF_BODY:
                 self.keep(body.name, setting(name, value, span))
@@ -337,22 +335,17 @@ class Builder:
         if is_empty and not {"gravcomp", "mocap", "sleep"} & thing.given.keys():
             # A link with nothing in it is a frame; a body stays one.
             self.keep(body.name, setting("gravcomp", "0", thing.span))
-        made = making.link(
-            Place(thing.span, {"name": thing.name_span}),
-            name=body.name,
-            inertial=inertial,
-            visuals=visuals,
-            collisions=collisions,
-        )
-        self.links.append(made.element)
+        place = Place(thing.span, {"name": thing.name_span})
+        inner = [*([] if inertial is None else [inertial]), *visuals, *collisions]
+        self.links.append(making.link(place, body.name, inner))
         for site in body.sites:
             self._add_frame(body, site)
 
     def _keep_geoms(
         self,
         body: Body,
-        visuals: Sequence[Visual],
-        collisions: Sequence[Collision],
+        visuals: Sequence[Element],
+        collisions: Sequence[Element],
         details: Sequence[Element],
     ) -> None:
         """Keep what the model does not have of geoms, and their order where it is not the usual.
@@ -361,23 +354,23 @@ class Builder:
         """
         geoms = self.geoms[body.name]
         names = [geom.name for geom in geoms if geom.name]
-        shapes: list[Visual | Collision] = [*visuals, *collisions]
-        usual = list(dict.fromkeys([each.name for each in shapes]))
+        shown, solid = map(_names, (visuals, collisions))
+        usual = list(dict.fromkeys([*shown, *solid]))
         last = max((at for at, geom in enumerate(geoms) if geom.name in usual), default=-1)
         in_order = [name for name in names if name in usual] == usual
         in_order = in_order and all(geom.name in usual for geom in geoms[: last + 1])
         named = {geom.thing.name for geom in geoms}
-        both = {each.name for each in visuals} & {each.name for each in collisions}
-        for geom, element in zip(geoms, details, strict=True):
-            if element.attributes.keys() - {"name"} or element.children:
-                self.keep(body.name, element)
+        both = {*shown} & {*solid}
+        for geom, detail in zip(geoms, details, strict=True):
+            if detail.attributes.keys() - {"name"} or detail.children:
+                self.keep(body.name, detail)
                 named.add(geom.name)
             elif not in_order or geom.name in both:
                 self.keep(body.name, Element("geom", geom.thing.span, {"name": geom.name}))
                 named.add(geom.name)
-        for each in shapes:
-            if each.name not in named:
-                del each.element.attributes["name"]
+        for each in (*visuals, *collisions):
+            if each.attributes["name"] not in named:
+                del each.attributes["name"]
 
     def _add_frame(self, body: Body, site: Placed) -> None:
         """Add a site: an empty link on a fixed joint."""
@@ -392,8 +385,7 @@ class Builder:
         wanted = site.name or f"{body.name}_site"
         name = self.fresh("body", wanted)
         place = Place(site.span, {"name": site.name_span})
-        link = making.link(place, name=name).element
-        self.links.append(link)
+        self.links.append(making.link(place, name))
         if site.name:
             self.sites[site.name] = body.name, name
         self.add_fixed(site, f"{name}_joint", body.name, name, pose)
@@ -413,16 +405,9 @@ class Builder:
         """Add a fixed joint between two links."""
         name = self.fresh("joint", name)
         self.above[child] = name
-        self.joints.append(
-            making.joint(
-                Place(thing.span),
-                name=name,
-                type=FIXED,
-                parent=parent,
-                child=child,
-                origin=self.origin(thing, pose),
-            ).element
-        )
+        place = Place(thing.span)
+        origin = self.origin(thing, pose)
+        self.joints.append(making.joint(place, name, FIXED, parent, child, origin))
 
     # --- geoms ---
 
@@ -430,8 +415,8 @@ class Builder:
         self,
         body: Body,
         geom: Geom,
-        visuals: list[Visual],
-        collisions: list[Collision],
+        visuals: list[Element],
+        collisions: list[Element],
         names: Container[str],
     ) -> Element:
         """Append a geom to visuals and collisions; return what the model does not have of it."""
@@ -450,21 +435,19 @@ class Builder:
             return kept(thing, pose=geom.pose, changed=whole, without=left)
         shape, pose = found
         place = Place(thing.span, {"name": thing.name_span})
-        at = self.origin(thing, pose)
         is_solid, is_seen = geom.is_solid(), geom.is_seen()
         has_look = is_seen or not is_solid
         if not geom.name:
             alike = collisions if is_solid else visuals
             kind = "visual" if not is_solid else "geom" if has_look else "collision"
             geom.name = shape_name(body.name, kind, len(alike), names)
+        inner = [*self.origin(thing, pose), element("geometry", place, {}, [shape])]
         if has_look:
             look = self._look(body, geom)
-            visuals.append(
-                making.visual(place, shape=shape, pose=at, material=look, name=geom.name)
-            )
+            visuals.append(element("visual", place, {"name": geom.name}, [*inner, *look]))
         if is_solid:
             index = len(collisions)
-            collisions.append(making.collision(place, shape=shape, pose=at, name=geom.name))
+            collisions.append(element("collision", place, {"name": geom.name}, inner))
             self._add_surface(body, geom, index)
         return self._details(body, geom, has_look=has_look, is_solid=is_solid)
 
@@ -475,7 +458,7 @@ class Builder:
             if not geom.thing.given.keys() & {"mass", "density"}:
                 changed["density"] = "1000"
 
-    def _shape_of(self, geom: Geom) -> tuple[Shape, Pose] | None:
+    def _shape_of(self, geom: Geom) -> tuple[Element, Pose] | None:
         """Return the shape of a geom as the model has it, and its pose in the body, or None."""
         thing = geom.thing
         mesh = geom.mesh
@@ -483,10 +466,10 @@ class Builder:
             shape = geom.shape()
             if shape is None:
                 return None
-            span = thing.where("size")
-            place = Place(thing.span, dict.fromkeys(shape.attributes, span))
-            self.has_capsule |= shape.kind == "capsule"
-            return making.simple_shape(place, shape.kind, *shape.size), geom.pose
+            kind, values = shape
+            place = Place(thing.span, dict.fromkeys(values, thing.where("size")))
+            self.has_capsule |= kind == "capsule"
+            return element(kind, place, values), geom.pose
         turn = mesh.in_geom()
         details = DETAILS_OF_MESHES & mesh.thing.given.keys()
         if geom.type != "mesh" or turn is None or not mesh.path or details or thing.children:
@@ -496,11 +479,12 @@ class Builder:
         span = mesh.thing.where("file")
         places = {"filename": span, "scale": mesh.thing.where("scale")}
         scale = mesh.scale if mesh.scale != (1.0, 1.0, 1.0) else None
-        made = making.mesh(Place(thing.span, places), mesh.filename(), scale)
+        file: dict[str, Value] = {"filename": mesh.filename(), "scale": scale}
+        made = element("mesh", Place(thing.span, places), file)
         self.assets.held.add(mesh.name)
         return made, geom.pose if turn is IDENTITY else geom.pose @ turn
 
-    def _look(self, body: Body, geom: Geom) -> Material | None:
+    def _look(self, body: Body, geom: Geom) -> list[Element]:
         """Return the material of a visual: one of the model, or a colour of its own."""
         given = geom.thing.given
         color = numbers(given, "rgba", 4)
@@ -514,14 +498,14 @@ class Builder:
                     name, count = f"{body.name}_color_{count}", count + 1
                 self._colors[rgba] = name
             span = given["rgba"][1]
-            return making.material(Place(span), name=self._colors[rgba], color=rgba)
+            return [making.material(Place(span), self._colors[rgba], rgba)]
         named = given.get("material")
         if named is None and geom.mesh is not None:
             named = geom.mesh.thing.given.get("material")
         if named is None:
-            return None
+            return []
         self.assets.find("material", *named)
-        return making.material(Place(named[1], {"name": named[1]}), name=named[0])
+        return [making.material(Place(named[1], {"name": named[1]}), named[0])]
 
     def _add_surface(self, body: Body, geom: Geom, index: int) -> None:
         """Note the friction of a collision."""
@@ -564,6 +548,8 @@ class Builder:
             for name in ("contype", "conaffinity"):
                 if int(number(given, name, 1.0)) == int(is_solid):
                     left.add(name)
+        if given.keys() <= left and changed.keys() == {"name"} and not thing.element.children:
+            return Element("geom", thing.span, changed)
         return self.assets.use(kept(thing, changed=changed, without=left))
 
 
@@ -586,6 +572,10 @@ def _plain_angles(rpy: Vector) -> Vector:
 
 HALF_TURN = 1e-14
 """In rad: how far an angle may be off a half turn that rounding has moved."""
+
+
+def _names(shapes: Iterable[Element]) -> list[str]:
+    return [str(each.attributes["name"]) for each in shapes]
 
 
 def is_shape(geom: Geom) -> bool:

@@ -76,7 +76,7 @@ def numbers(given: Given, name: str, least: int = 1, most: int | None = None) ->
             value[1],
             f"write {wanted} number{'s' if most > 1 else ''} with spaces in between",
         )
-    if not all(-LARGEST < each < LARGEST for each in found):
+    if not sum(map(abs, found)) < LARGEST:  # nor is that of what is no number
         raise fault(
             f"'{name}' is too large for a model", value[1], f"MuJoCo takes up to {MAXVAL:g}"
         )
@@ -93,6 +93,8 @@ def _is_number(word: str) -> bool:
 
 def number(given: Given, name: str, default: float) -> float:
     """Return the number of an attribute, or a default."""
+    if name not in given:
+        return default
     found = numbers(given, name)
     return default if found is None else found[0]
 
@@ -214,6 +216,8 @@ class Compiler:
 
         Sources: MuJoCo's manual, "Frame orientations"; ResolveOrientation in user_objects.cc.
         """
+        if given.keys().isdisjoint(ORIENTATIONS):
+            return UNTURNED
         if (euler := numbers(given, "euler", 3)) is not None:
             return self.euler(euler)
         if (row := numbers(given, "axisangle", 4)) is not None:

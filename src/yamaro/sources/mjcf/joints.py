@@ -7,8 +7,8 @@ origin of the body, the body is fixed to the link that it moves.
 from __future__ import annotations
 
 from ...model import making
-from ...model.joint import CONTINUOUS, FLOATING, PRISMATIC, REVOLUTE, Dynamics, Limit
-from ...model.making import Place
+from ...model.joint import CONTINUOUS, FLOATING, PRISMATIC, REVOLUTE
+from ...model.making import Place, element
 from ...model.pose import IDENTITY, UNTURNED, ZERO, Pose, rotate, rotation_about
 from .blocks import block, in_radians, kept, row, setting
 from .compiler import chosen, fault, numbers, unit_axis, vector
@@ -18,7 +18,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ...model.pose import Vector
     from ...source import Span
-    from ...xml.tree import Node
+    from ...xml.tree import Element, Node
     from .building import Builder
     from .tree import Body, Placed
 
@@ -59,7 +59,7 @@ def add_joints(builder: Builder, body: Body, parent: str) -> None:
         _add(builder, joint, kind, name, parent, child, origin, is_marked=not is_last)
         if not is_last:
             place = Place(joint.span, {"name": joint.name_span})
-            builder.links.append(making.link(place, name=child).element)
+            builder.links.append(making.link(place, child))
         parent, origin = child, IDENTITY
     if not ends_in_body:
         x, y, z = at
@@ -96,17 +96,11 @@ def _add_free(builder: Builder, body: Body, parent: str) -> None:
             "a body with a free joint is a child of the world", joint.span, "move it to <worldbody>"
         )
     name = joint.name or builder.fresh("joint", f"{body.name}_free")
-    made = making.joint(
-        Place(joint.span, {"name": joint.name_span}),
-        name=name,
-        type=FLOATING,
-        parent=parent,
-        child=body.name,
-        origin=builder.origin(body.thing, body.pose),
-    )
+    place = Place(joint.span, {"name": joint.name_span})
+    origin = builder.origin(body.thing, body.pose)
+    builder.joints.append(making.joint(place, name, FLOATING, parent, body.name, origin))
     builder.keep_free(body, joint)
     builder.above[body.name] = name
-    builder.joints.append(made.element)
 
 
 def _add(
@@ -165,22 +159,21 @@ def _add(
             builder.armatures[name] = (value, span)
         elif key not in HELD and key not in _ELSEWHERE:
             extras.append(setting(key, value, span))
-    made = making.joint(
-        Place(thing.span, {"name": thing.name_span}),
-        name=name,
-        type=PRISMATIC if kind == "slide" else REVOLUTE if is_limited else CONTINUOUS,
-        parent=parent,
-        child=child,
-        origin=builder.origin(thing, origin),
-        axis=axis,
-        limit=limit,
-        mimic=builder.mimics.get(name),
-        dynamics=dynamics,
-    )
-    extras += builder.drives.elements(made)
+    place = Place(thing.span, {"name": thing.name_span})
+    inner: list[Node] = [*builder.origin(thing, origin), element("axis", place, {"xyz": axis})]
+    inner += dynamics
+    effort = None
+    if limit is not None:
+        places, values = limit
+        effort = values["effort"]
+        inner.append(element("limit", Place(thing.span, places), values))
+    if name in builder.mimics:
+        inner.append(builder.mimics[name])
+    extras += builder.drives.elements(name, room, effort)
     if extras:
-        made.element.children.append(block(thing.span, extras))
-    builder.joints.append(made.element)
+        inner.append(block(thing.span, extras))
+    word = PRISMATIC if kind == "slide" else REVOLUTE if is_limited else CONTINUOUS
+    builder.joints.append(making.joint(place, name, word, parent, child, inner))
     builder.joint_names[id(thing)] = name
     builder.above[child] = name
     if is_limited:
@@ -203,8 +196,10 @@ def _limit(
     name: str,
     ends: tuple[float, float] | None,
     extras: list[Node],
-) -> Limit | None:
-    """Return the limit of a joint, or None if it has none; append what it does not hold.
+) -> tuple[dict[str, Span], dict[str, float]] | None:
+    """Return the places and values of the limit of a joint, or None if it has none.
+
+    Append what it does not hold.
 
     Where the joint does not bound the effort, it is that of its actuators; the writer of MJCF
     bounds the joint where these could exceed it.
@@ -237,12 +232,11 @@ def _limit(
         return None
     if ends is not None:
         values |= {"lower": ends[0], "upper": ends[1]}
-    whole = {"effort": UNBOUNDED, "velocity": UNBOUNDED, **values}
-    return making.part(Limit, Place(thing.span, places), **whole)
+    return places, {"effort": UNBOUNDED, "velocity": UNBOUNDED, **values}
 
 
-def _dynamics(thing: Placed, extras: list[Node]) -> Dynamics | None:
-    """Return the damping and friction of a joint; append what they do not hold."""
+def _dynamics(thing: Placed, extras: list[Node]) -> list[Element]:
+    """Return the damping and friction of a joint, if any; append what they do not hold."""
     values: dict[str, float] = {}
     places: dict[str, Span] = {}
     for name, attribute in (("damping", "damping"), ("friction", "frictionloss")):
@@ -254,4 +248,4 @@ def _dynamics(thing: Placed, extras: list[Node]) -> Dynamics | None:
             extras.append(setting(attribute, row(found), span))
         if found[0] > 0:
             values[name], places[name] = found[0], span
-    return making.part(Dynamics, Place(thing.span, places), **values) if values else None
+    return [element("dynamics", Place(thing.span, places), values)] if values else []

@@ -83,7 +83,7 @@ def _frames(builder: Builder, thing: Thing) -> tuple[str, str] | None:
             names.append(link)
             continue
         name = builder.fresh("body", f"{stem}_{number}")
-        builder.links.append(making.link(Place(thing.span), name=name).element)
+        builder.links.append(making.link(Place(thing.span), name))
         builder.add_fixed(thing, f"{name}_joint", link, name, pose)
         names.append(name)
     return names[0], names[1]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from ...model import making
-from ...model.joint import Mimic
 from ...model.making import Place
 from ...xml.mjcf_references import references
 from ...xml.tree import SAID, Element
@@ -20,6 +19,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
+    from ...model.making import Value
     from .building import Builder
     from .tree import Context
 
@@ -218,7 +218,7 @@ def read_mimics(
     joints: Mapping[str, str],
     refs: Mapping[str, float],
     driven: set[str],
-) -> tuple[dict[str, Mimic], list[tuple[Thing, Element]]]:
+) -> tuple[dict[str, Element], list[tuple[Thing, Element]]]:
     """Return the joints that follow others by name, and what is kept of all equalities.
 
     An equality of two joints is q₁ − r₁ = a + b·(q₂ − r₂) with the references r.
@@ -229,7 +229,7 @@ def read_mimics(
         refs: the reference of each joint in radians or metres, by name.
         driven: the joints with an actuator of the model, which cannot follow others.
     """
-    mimics: dict[str, Mimic] = {}
+    mimics: dict[str, Element] = {}
     elements: list[tuple[Thing, Element]] = []
     for context in contexts:
         for thing in context.things("equality"):
@@ -256,20 +256,19 @@ def read_mimics(
                 places = {"joint": leader[1], "multiplier": span, "offset": span}
                 if thing.given.keys() <= {"joint1", "joint2", "polycoef"}:
                     element.body = SAID
-                mimics[name] = making.part(
-                    Mimic,
-                    Place(thing.span, places),
-                    joint=other,
-                    multiplier=row[1] if row[1] != 1 else None,
-                    offset=offset or None,
-                )
+                values: dict[str, Value] = {
+                    "joint": other,
+                    "multiplier": row[1] if row[1] != 1 else None,
+                    "offset": offset or None,
+                }
+                mimics[name] = making.element("mimic", Place(thing.span, places), values)
     return mimics, elements
 
 
-def _leads_to(mimics: Mapping[str, Mimic], name: str, end: str) -> bool:
+def _leads_to(mimics: Mapping[str, Element], name: str, end: str) -> bool:
     """Return whether a joint follows another one, over any number of others."""
     while name != end:
         if name not in mimics:
             return False
-        name = mimics[name].joint
+        name = str(mimics[name].attributes["joint"])
     return True

@@ -11,6 +11,7 @@ from .inertia import DENSITY, Mass, diagonal
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from ...model.making import Value
     from ...model.pose import Vector
     from ...model.shapes import SimpleShape
     from .assets import Assets
@@ -133,18 +134,16 @@ class Geom:
         factor = number(given, "fitscale", 1.0)
         return tuple(factor * size for size in sizes), pose
 
-    def shape(self) -> SimpleShape | None:
-        """Return its shape of numbers as the model has it, or None if the model has no such one."""
+    def shape(self) -> tuple[str, dict[str, Value]] | None:
+        """Return the element that its shape is in URDF, and its values; None for none."""
         sizes = self.sizes
         match self.type:
             case "box":
-                return Box(2 * sizes[0], 2 * sizes[1], 2 * sizes[2])
+                return "box", {"size": (2 * sizes[0], 2 * sizes[1], 2 * sizes[2])}
             case "sphere":
-                return Sphere(sizes[0])
-            case "capsule":
-                return Capsule(sizes[0], 2 * sizes[1])
-            case "cylinder":
-                return Cylinder(sizes[0], 2 * sizes[1])
+                return "sphere", {"radius": sizes[0]}
+            case "capsule" | "cylinder":
+                return self.type, {"radius": sizes[0], "length": 2 * sizes[1]}
         return None
 
     def is_solid(self) -> bool:
