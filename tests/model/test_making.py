@@ -96,10 +96,14 @@ def test_what_is_made_knows_where_it_is_written() -> None:
 
 def test_the_model_reads_numbers_as_they_are_written():
     robot = Robot.from_xml(write(two_links()))
-    assert robot.links["arm"].inertial.inertia[5] == 0.3 != 0.1 + 0.2
-    assert robot.joints["elbow"].axis == (0.0, 0.0, 1.0)
-    assert robot.joints["elbow"].limit.effort == 10.0
-    assert robot.joints["elbow"].mimic.offset == 0.0
+    arm, elbow = robot.links["arm"], robot.joints["elbow"]
+    assert arm.inertial is not None
+    assert arm.inertial.inertia[5] == 0.3 != 0.1 + 0.2
+    assert elbow.axis == (0.0, 0.0, 1.0)
+    assert elbow.limit is not None
+    assert elbow.limit.effort == 10.0
+    assert elbow.mimic is not None
+    assert elbow.mimic.offset == 0.0
 
 
 @pytest.mark.parametrize(
