@@ -76,7 +76,7 @@ def numbers(given: Given, name: str, least: int = 1, most: int | None = None) ->
             value[1],
             f"write {wanted} number{'s' if most > 1 else ''} with spaces in between",
         )
-    if not sum(map(abs, found)) < LARGEST:  # nor is that of what is no number
+    if not sum(map(abs, found)) < LARGEST:  # not of NaN either
         raise fault(
             f"'{name}' is too large for a model", value[1], f"MuJoCo takes up to {MAXVAL:g}"
         )
