@@ -15,7 +15,8 @@ any joint differ between two simulators, over 0.3 s. Numbers beyond the bars, wh
 
 For a difference beyond the bar, the worst response is played again without what the simulators are
 known to treat otherwise, and the table says with which of these the difference is gone, and what is
-left: without contacts, without Coulomb friction of joints, which Drake does not have, with
+left: without the gaps of 0.1 m from which Newton lets contacts act on what approaches, without
+contacts, without Coulomb friction of joints, which Drake does not have, with
 equalities (joints that follow) that MuJoCo and Newton hold ten times as stiffly, and with efforts
 limited in actuators and not only in joints: there `implicitfast` counts the damping of a drive also
 while it is at its limit, which slows the joint down by the step of time.
@@ -54,7 +55,7 @@ RESPONSE_BAR, DRIFT_BAR = 1e-3, 0.03
 JUMP = {"revolute": 0.1, "continuous": 0.1, "prismatic": 0.01}
 NAMES = ("MuJoCo", "Drake", "Newton")
 PAIRS = ((0, 1), (0, 2), (1, 2))
-CAUSES = ("contacts", "friction", "soft equalities", "limits at joints")
+CAUSES = ("gaps", "contacts", "friction", "soft equalities", "limits at joints")
 STIFF = (4e-4, 1.0)
 """MuJoCo's `solref`: ten times as stiff as what Yamaro writes."""
 
@@ -117,6 +118,8 @@ class Mujoco:
         self.places = {name: model.jnt_qposadr[joint] for name, joint in self.joints.items()}
         drives = {int(model.actuator_trnid[index, 0]): index for index in range(model.nu)}
         self.drives = {name: drives[self.joints[name]] for name in job.commands}
+        if "gaps" in job.without:
+            model.geom_gap[:] = 0
         if "contacts" in job.without:
             model.opt.disableflags |= self.mujoco.mjtDisableBit.mjDSBL_CONTACT
         if "friction" in job.without:

@@ -86,6 +86,8 @@ def test_options_do_not_change() -> None:
     [
         ({"base": "free-floating"}, "'free-floating' is not a known base"),
         ({"sdf_version": "1.8"}, "'1.8' is not a known version of SDF"),
+        ({"mujoco_version": "3.2.7"}, "MuJoCo 3.2.7 is too old; 3.3 or newer"),
+        ({"mujoco_version": "3.x"}, "'3.x' is not a version of MuJoCo; write it as 3.3"),
         ({"target": "mjfc"}, "did you mean 'mjcf'"),
         ({"target": []}, "no output format is named"),
         ({"meshes": "copy"}, "'copy' needs an output file"),

@@ -57,6 +57,8 @@ def build(path: str | os.PathLike[str], **options: Unpack[AllOptions]) -> Build:
             default as the robot says.
         repair_inertia: balance inertia that no body can have, instead of refusing it.
         sdf_version: "1.11" (the default), "1.9" or "1.12".
+        mujoco_version: the version of MuJoCo that reads MJCF, such as "3.3", which is the oldest;
+            by default the newest.
         model: the name of the model to read, of an MJCF or SDF file that has several; by default
             the first.
         overlay: what changes values of the robot: the path of an overlay or calibration, the same

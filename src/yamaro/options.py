@@ -49,6 +49,7 @@ if TYPE_CHECKING:
         base: str | None
         repair_inertia: bool
         sdf_version: str | None
+        mujoco_version: str | None
         model: str | None
         overlay: Overlays
         on_progress: Callable[[float], None] | None
@@ -84,6 +85,7 @@ DEFAULTS: dict[str, object] = {
     "base": None,
     "repair_inertia": False,
     "sdf_version": None,
+    "mujoco_version": None,
     "model": None,
     "overlay": None,
     "on_progress": None,
@@ -177,6 +179,7 @@ class Options:
     base: str | None
     repair_inertia: bool
     sdf_version: str | None
+    mujoco_version: str | None
     model: str | None
     overlay: tuple[str | Mapping[str, Any], ...]
     on_progress: Callable[[float], None] | None
@@ -222,6 +225,8 @@ class Options:
             from .targets.table import TARGETS
 
             _check_choice("version of SDF", self.sdf_version, TARGETS["sdf"].versions)
+        if self.mujoco_version is not None:
+            _check_release("MuJoCo", self.mujoco_version)
         ending = os.path.splitext(self.output or "")[1].lower()
         if self.target and ending:
             from .targets.table import TARGETS
@@ -306,6 +311,22 @@ def _formats(target: str | Sequence[str] | None) -> tuple[str, ...] | None:
     for format in formats:
         _check_choice("output format", format, list(TARGETS))
     return tuple(formats)
+
+
+def _check_release(program: str, version: str) -> None:
+    from .targets.table import OLDEST_MUJOCO, release
+
+    oldest = ".".join(map(str, OLDEST_MUJOCO))
+    try:
+        is_known = release(version) >= OLDEST_MUJOCO
+    except ValueError:
+        from .terminal import shortened
+
+        raise UsageError(
+            f"'{shortened(str(version))}' is not a version of {program}; write it as {oldest}"
+        ) from None
+    if not is_known:
+        raise UsageError(f"{program} {version} is too old; {oldest} or newer can be asked for")
 
 
 def _check_choice(what: str, value: str, known: Sequence[str]) -> None:

@@ -282,6 +282,7 @@ class Run:
             robot = read_robot(self.root, notes=self.notes, recognizes=False)
         else:
             robot = self._read_robot()
+        version_option = TARGETS[format or URDF].version_option
         wanted = Wanted(
             format or URDF,
             name=request.stem,
@@ -291,7 +292,7 @@ class Run:
             has_meshes=has_meshes and options.meshes != NONE,
             has_gazebo=options.gazebo,
             repairs_inertia=options.repair_inertia,
-            version=options.sdf_version or "" if TARGETS[format or URDF].versions else "",
+            version=getattr(options, version_option) or "" if version_option else "",
             file_name=file_name,
             output_in=self._output_in,
             progress=options.on_progress,

@@ -243,6 +243,8 @@ def test_an_input_is_not_replaced(capsys: pytest.CaptureFixture[str]) -> None:
             ["--to", "sdf", "--sdf-version", "1.7"],
             "'--sdf-version' takes 1.11, 1.9 or 1.12, not '1.7'",
         ),
+        (["--to", "sdf", "--mujoco-version", "3.3"], "'--mujoco-version' needs --to mjcf"),
+        (["--to", "mjcf", "--mujoco-version", "3"], "'3' is not a version of MuJoCo"),
         (["--base", "free"], "'--base' needs an output format, such as --to sdf"),
         (["--repair-inertia"], "'--repair-inertia' needs an output format, such as --to sdf"),
         (["--to", "sdf", "--base", "loose"], "'--base' takes fixed or free, not 'loose'"),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -319,3 +320,44 @@ WRITTEN = sorted((CASES / "targets").glob("mjcf*.xml"))
 def test_mujoco_reads_every_golden_case(path: Path) -> None:
     mujoco = require_module("mujoco")
     assert mujoco.MjModel.from_xml_path(str(path)).nkey >= 0
+
+
+MOTORS = """
+robot: rig
+base: fixed
+model:
+- part: {name: base, link: {mass: 1, geometry: sphere, radius: 0.1}}
+- for name, kd in [('weak', 0.1), ('strong', 2)]:
+  - part:
+      name: $(name)
+      joint:
+        parent: base
+        type: continuous
+        axis: y
+        actuator: {kp: 40, kd: $(kd), stall_torque: 4.1, no_load_speed: 4.8}
+      link: {mass: 1, geometry: sphere, radius: 0.1, pivot: 0 0 0.3}
+"""
+
+
+def test_torque_speed_lines_give_the_torques_of_older_mujoco_with_gains_in_volts() -> None:
+    mujoco = require_module("mujoco")
+    newest = mjcf_of(Path("-"), text=MOTORS).xml()
+    model = mujoco.MjModel.from_xml_string(newest)
+    data = mujoco.MjData(model)
+    older = ElementTree.fromstring(mjcf_of(Path("-"), text=MOTORS, mujoco_version="3.7").xml())
+    random = np.random.default_rng(1)
+    for _ in range(50):
+        data.qpos, data.qvel, data.ctrl = random.normal(0, (0.3, 4, 0.3), (model.nu, 3)).T
+        mujoco.mj_forward(model, data)
+        for index, motor in enumerate(older.iter("dcmotor")):
+            # https://mujoco.readthedocs.io/en/3.7.0/_static/dcmotor.pdf, sections 1.1 and 2.5
+            volts, stall, speed = map(float, motor.attrib["nominal"].split())
+            kp, _, kd, _, _, most = map(float, motor.attrib["controller"].split())
+            constant = volts / speed
+            resistance = constant * volts / stall
+            drive = kp * (data.ctrl[index] - data.qpos[index]) - kd * data.qvel[index]
+            drive = min(max(drive, -most), most)
+            torque = constant / resistance * (drive - constant * data.qvel[index])
+            limit = float(motor.attrib["saturation"].split()[0])
+            expected = min(max(torque, -limit), limit)
+            assert data.actuator_force[index] == pytest.approx(expected, abs=1e-12)

@@ -19,7 +19,7 @@ from yamaro.sandbox import jail
 from yamaro.syntax.names import RAW_BLOCKS
 from yamaro.targets.holding import FORMATS
 from yamaro.targets.output import MARK, Output
-from yamaro.targets.table import BASES, TARGETS, Target
+from yamaro.targets.table import BASES, OLDEST_MUJOCO, TARGETS, Target
 
 if TYPE_CHECKING:
     from yamaro.model.robot import Robot
@@ -68,6 +68,8 @@ def test_the_page_of_output_formats_says_what_their_files_are_called() -> None:
 def test_options_list_the_targets_and_what_can_be_chosen_for_them() -> None:
     assert f"formats: {', '.join(TARGETS)}, separated" in " ".join(help_of(BUILD).split())
     assert OPTIONS["sdf-version"].choices == TARGETS["sdf"].versions
+    oldest = ".".join(map(str, OLDEST_MUJOCO))
+    assert f"{oldest} or newer" in OPTIONS["mujoco-version"].help
     assert OPTIONS["base"].choices == BASES
 
 

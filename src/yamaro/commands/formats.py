@@ -50,13 +50,16 @@ def targets_in(arguments: Arguments) -> AllOptions:
     formats = formats_in(arguments)
     if not formats:
         raise WrongUsage("'--to' needs output formats: " + ", ".join(TARGETS))
-    if "sdf" not in formats and arguments.has("sdf-version"):
-        raise WrongUsage("'--sdf-version' needs --to sdf")
+    for target in TARGETS.values():
+        option = target.version_option.replace("_", "-")
+        if option and arguments.has(option) and target.name not in formats:
+            raise WrongUsage(f"'--{option}' needs --to {target.name}")
     wanted: AllOptions = {
         "target": formats,
         "base": arguments.options.get("base"),
         "repair_inertia": arguments.has("repair-inertia"),
         "sdf_version": arguments.options.get("sdf-version"),
+        "mujoco_version": arguments.options.get("mujoco-version"),
         "meshes": arguments.options.get("meshes", "relative"),
         "gazebo": arguments.has("gazebo"),
     }

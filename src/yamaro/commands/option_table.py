@@ -25,7 +25,7 @@ WORKING = (
     "limit", "package", "color",
 )  # fmt: skip
 """Those of commands that run files."""
-WRITING = ("base", "repair-inertia", "sdf-version")
+WRITING = ("base", "repair-inertia", "sdf-version", "mujoco-version")
 """Those of commands that write output formats."""
 
 
@@ -187,6 +187,13 @@ OPTIONS = {
             value="VERSION",
             wants="1.11, 1.9 or 1.12",
             choices=("1.11", "1.9", "1.12"),
+        ),
+        Option(
+            "mujoco-version",
+            "version of MuJoCo that reads MJCF: 3.3 or newer; by default the newest",
+            BOTH,
+            value="VERSION",
+            wants="a version of MuJoCo, such as 3.3",
         ),
         Option(
             "model",

@@ -379,16 +379,20 @@ def lost_values(actuator: Actuator, format: str, *, but: Container[str] = ()) ->
     return found
 
 
-def lost_lines(actuator: Actuator) -> Losses:
+def lost_lines(actuator: Actuator, *, hint: str = "") -> Losses:
     """Return what a format loses whose efforts are bounded alike at all speeds.
 
     A stall torque without a no-load speed is such a bound.
+
+    Args:
+        actuator: the actuator.
+        hint: what to write instead.
     """
     found = Losses()
     if actuator.no_load_speed is not None:
         for name in ("stall_torque", "no_load_speed"):
             if getattr(actuator, name) is not None:
-                found.lose("torque-speed lines of motors", actuator, field=name)
+                found.lose("torque-speed lines of motors", actuator, field=name, hint=hint)
     return found
 
 

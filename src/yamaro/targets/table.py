@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     Write = Callable[[Robot, Wanted], Output]
 
 BASES = ("fixed", "free")
+OLDEST_MUJOCO = (3, 3)
+"""The oldest release of MuJoCo that MJCF is written for."""
 
 
 class Target:
@@ -37,7 +39,8 @@ class Target:
         has_places: whether each element of its document knows where in the file it comes from, and
             is quick to write: `yamaro why` looks at these.
         run: the format for which the file is run: another one that it belongs to, or its own.
-        versions: those that can be asked for, the default first.
+        versions: those that can be asked for, the default first; none if they are not listed.
+        version_option: the option of a build that asks for one, or "".
         beside: the names of files beside the document that are not in `FOLDER`; in a folder, those
             that begin with a dot.
         library: what it needs that is not always installed.
@@ -51,7 +54,7 @@ class Target:
     __slots__ = (
         "beside", "comment", "conversion", "ending", "endings", "extra", "has_places", "is_folder",
         "is_simulator", "is_whole", "library", "name", "own_codes", "refused", "run", "title",
-        "versions",
+        "version_option", "versions",
     )  # fmt: skip
 
     def __init__(
@@ -67,6 +70,7 @@ class Target:
         has_places: bool = False,
         run: str = "",
         versions: tuple[str, ...] = (),
+        version_option: str = "",
         beside: tuple[str, ...] = (),
         library: str = "",
         extra: str = "",
@@ -85,6 +89,7 @@ class Target:
         self.has_places = has_places
         self.run = run or name
         self.versions = versions
+        self.version_option = version_option
         self.beside = beside
         self.library = library
         self.extra = extra or name
@@ -133,6 +138,7 @@ TARGETS = {
             is_whole=True,
             has_places=True,
             versions=("1.11", "1.9", "1.12"),
+            version_option="sdf_version",
         ),
         Target(
             "mjcf",
@@ -141,6 +147,7 @@ TARGETS = {
             is_simulator=True,
             is_whole=True,
             has_places=True,
+            version_option="mujoco_version",
             beside=("scene.xml",),
             endings=(".mjcf",),
         ),
@@ -203,6 +210,20 @@ TARGETS = {
     )
 }
 """The output formats by their names."""
+
+
+def release(version: str) -> tuple[int, int]:
+    """Return the release that a version such as "3.12" or "3.3.7" is of, to compare it.
+
+    Raises:
+        ValueError: it is not a version.
+    """
+    numbers = version.split(".")
+    if len(numbers) not in (2, 3) or not all(
+        each.isascii() and each.isdigit() and len(each) < 5 for each in numbers
+    ):
+        raise ValueError(version)
+    return int(numbers[0]), int(numbers[1])
 
 
 def write_target(robot: Robot, wanted: Wanted) -> Output:

@@ -5,7 +5,8 @@ Controls, gains and forces are those of the joint: a gear acts by the armature a
 A motor with a line from its stall torque to its no-load speed is a `dcmotor` of MuJoCo 3.12 or
 newer, whose controller commands torques that the voltage bounds: T = τ·(v − ω/Ω) with the stall
 torque τ, the no-load speed Ω and v from −1 to 1. Its nominal voltage is 1 V, since only the line is
-known. A delay is a buffer of controls, of MuJoCo 3.5 or newer.
+known. MuJoCo 3.7 to 3.11 has it for commands of positions, with gains in volts. A delay is a buffer
+of controls, of MuJoCo 3.5 or newer.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from ...model.positions import HOME, positions_in
 from ...model.values import attribute_text, numbers_of
 from ..elements import element
 from ..gains import EFFORT, POSITION, TIME_STEP, VELOCITY, Gains
-from ..holding import lost_of_actuator, lost_values
+from ..holding import lost_lines, lost_of_actuator, lost_values
 from .blocks import merged, names
 from .joints import effort_of, numbers_at, range_of
 from .model import ACTUATOR, JOINTS, Writing
@@ -47,6 +48,9 @@ SOURCES = {
 """What the attributes of an actuator are made of."""
 INPUTS = {POSITION: "pos", VELOCITY: "vel", EFFORT: "ff"}
 """What the control of a `dcmotor` is."""
+DELAYS, POSITION_LINES, LINES = (3, 5), (3, 7), (3, 12)
+"""The releases of MuJoCo since which it has delays, and torque-speed lines: of actuators that are
+commanded positions, and of all."""
 SHORTEST_STEP = TIME_STEP / 4
 """In s: a delay has a buffer that is long enough for time steps down to this one."""
 LONGEST_DELAY = 10.0
@@ -64,7 +68,9 @@ def add_actuators(writing: Writing) -> set[str]:
     gains = Gains(robot, is_fixed=writing.wanted.is_fixed, has_armature=True)
     for name, actuator in robot.actuators.items():
         joint = robot.joints.get(name)
-        word = _word(actuator)
+        since = POSITION_LINES if actuator.command == POSITION else LINES
+        line = _line(actuator) if writing.release >= since else None
+        word = "dcmotor" if line is not None else WORDS.get(actuator.command, "motor")
         given = writing.blocks.actuator_of(name, word)
         if joint is None or joint.type not in SINGLE:
             is_driven = False
@@ -79,6 +85,8 @@ def add_actuators(writing: Writing) -> set[str]:
         writing.losses += lost_values(actuator, "mjcf")
         command = actuator.command
         effort, stall, speed = effort_of(joint), actuator.stall_torque, actuator.no_load_speed
+        if line is None and stall is not None:
+            writing.losses += lost_lines(actuator, hint=_hint(since))
         if stall is not None:
             effort = min(effort, stall) if effort is not None else stall
         elif speed is not None:
@@ -92,14 +100,14 @@ def add_actuators(writing: Writing) -> set[str]:
             "name": writing.names.fresh(ACTUATOR, joint.name),
             "joint": writing.joint_name(joint.name),
         }
-        if stall is not None and speed is not None:
+        if line is not None:
             attributes |= {
-                "nominal": (1.0, stall, speed),
-                **_controller(actuator, joint, gains),
-                "saturation": (effort or stall, 0.0, 0.0),
+                "nominal": (1.0, *line),
+                **_controller(actuator, joint, gains, line if writing.release < LINES else None),
+                "saturation": (effort or line[0], 0.0, 0.0),
             }
             limit = joint.limit.velocity if joint.limit is not None else None
-            if limit is not None and limit >= speed:
+            if limit is not None and limit >= line[1]:
                 bounded.add(joint.name)
         else:
             attributes |= _gains(actuator, joint, gains, is_free=given is None)
@@ -110,6 +118,9 @@ def add_actuators(writing: Writing) -> set[str]:
         if actuator.delay is not None and actuator.delay > LONGEST_DELAY:
             what = f"delays of more than {LONGEST_DELAY:g} s"
             writing.losses.lose(what, actuator, field="delay")
+        elif actuator.delay and writing.release < DELAYS:
+            hint = _hint(DELAYS)
+            writing.losses.lose("delays of actuators", actuator, field="delay", hint=hint)
         elif actuator.delay:
             attributes["nsample"] = ceil(actuator.delay / SHORTEST_STEP)
             attributes["delay"] = actuator.delay
@@ -124,11 +135,14 @@ def _is_off(given: Element | None, attribute: str) -> bool:
     return given is not None and attribute_text(given, attribute) == "false"
 
 
-def _word(actuator: Actuator) -> str:
-    """Return the word of MJCF for an actuator."""
-    if actuator.stall_torque is not None and actuator.no_load_speed is not None:
-        return "dcmotor"
-    return WORDS.get(actuator.command, "motor")
+def _line(actuator: Actuator) -> tuple[float, float] | None:
+    """Return the stall torque and the no-load speed, if there are both."""
+    stall, speed = actuator.stall_torque, actuator.no_load_speed
+    return None if stall is None or speed is None else (stall, speed)
+
+
+def _hint(release: tuple[int, int]) -> str:
+    return "MuJoCo {0}.{1} or newer has them: --mujoco-version {0}.{1}".format(*release)
 
 
 def _control(
@@ -160,8 +174,18 @@ def _gains(actuator: Actuator, joint: Joint, gains: Gains, *, is_free: bool) -> 
     return found
 
 
-def _controller(actuator: Actuator, joint: Joint, gains: Gains) -> Attributes:
-    """Return the gains of the servo in a `dcmotor`, and what its control is."""
+def _controller(
+    actuator: Actuator, joint: Joint, gains: Gains, line: tuple[float, float] | None
+) -> Attributes:
+    """Return the gains of the servo in a `dcmotor`, and what its control is.
+
+    Args:
+        actuator: the actuator.
+        joint: its joint.
+        gains: chooses those that are not given.
+        line: where gains are in volts, the stall torque τ and the no-load speed Ω. There the torque
+            is τ·(p·(c − q) − d·ω − ω/Ω), with the command c of a position q.
+    """
     kp = kd = 0.0
     if actuator.command == POSITION:
         kp = actuator.kp if actuator.kp is not None else gains.of_position(joint)
@@ -169,6 +193,10 @@ def _controller(actuator: Actuator, joint: Joint, gains: Gains) -> Attributes:
     elif actuator.command == VELOCITY:
         kd = gains.of_velocity(joint, actuator)
     most = 1.0  # V
+    if line is not None:
+        stall, speed = line
+        gains_in_volts = (kp / stall, 0.0, kd / stall - 1 / speed, 0.0, 0.0, most)
+        return {"input": "position", "controller": gains_in_volts}
     inputs = INPUTS.get(actuator.command, "ff")
     return {"input": inputs, "controller": (kp, 0.0, kd, 0.0, 0.0, most)}
 

@@ -11,6 +11,7 @@ from ...xml.tree import Element
 from ..elements import UsedNames, element
 from ..inertia import Inertias
 from ..losses import Losses
+from ..table import release
 from .blocks import ANCHOR, Blocks
 
 TYPE_CHECKING = False
@@ -212,6 +213,8 @@ def _given_by_blocks(robot: Robot, blocks: Blocks) -> set[str]:
     return found
 
 
+NEWEST = (1 << 30, 0)
+"""The release that is asked for by default."""
 SECTIONS = ("asset", "worldbody", "contact", "equality", "actuator", "sensor", "keyframe")
 """The sections whose content is gathered, in the order of the document."""
 
@@ -239,6 +242,7 @@ class Writing:
     Attributes:
         robot: the robot.
         wanted: what is asked for.
+        release: that of MuJoCo which reads the document.
         model: the name of the model.
         classes: the default classes: of the model, of its visuals, collisions and frames.
         names: the names that are taken.
@@ -265,12 +269,13 @@ class Writing:
     __slots__ = (
         "_body_names", "blocks", "bodies", "classes", "collisions", "controls", "errors", "files",
         "inertias", "joints", "losses", "measured", "model", "motions", "names", "plan",
-        "renamed_geoms", "robot", "sections", "solids", "wanted",
+        "release", "renamed_geoms", "robot", "sections", "solids", "wanted",
     )  # fmt: skip
 
     def __init__(self, robot: Robot, wanted: Wanted) -> None:
         self.robot = robot
         self.wanted = wanted
+        self.release = release(wanted.version) if wanted.version else NEWEST
         self.model = robot.name or wanted.name
         self.classes = Classes(self.model)
         self.controls: dict[int, tuple[str, str]] = {}

@@ -281,6 +281,7 @@ def _plan(arguments: Arguments) -> Plan:
         base=options.get("base"),
         repair_inertia=arguments.has("repair-inertia"),
         sdf_version=options.get("sdf-version"),
+        mujoco_version=options.get("mujoco-version"),
         model=options.get("model"),
         overlay=[os.path.abspath(each) for each in lists.get("overlay", ())],
     )
@@ -294,7 +295,7 @@ def _plan(arguments: Arguments) -> Plan:
             raise WrongUsage(f"the axis {quote(name)} is given twice")
         axes[name] = text
     plan = planned(study, wanted, axes=axes)
-    for name in ("base", "repair-inertia", "sdf-version"):
+    for name in WRITING:
         if arguments.has(name) and not plan.targets():
             raise WrongUsage(f"'--{name}' needs an output format, such as --to sdf")
     return plan

@@ -339,6 +339,7 @@ def plan_in(folder: str, policy: Policy) -> Plan:
             strict=data["strict"],
             base=data["base"],
             sdf_version=data["sdf-version"],
+            mujoco_version=data["mujoco-version"],
             repair_inertia=data["repair-inertia"],
             overlay=[
                 path_of(each) if isinstance(each, str) else each for each in data.get("overlay", ())

@@ -395,6 +395,7 @@ def data_of(plan: Plan, folder: str) -> dict[str, Any]:
             os.path.relpath(each, folder) if isinstance(each, str) else dict(each)
             for each in options.overlay
         ],
+        "mujoco-version": options.mujoco_version,
         "timeout": plan.seconds,
         "versions": plan.versions,
     }

@@ -21,6 +21,7 @@ def _downloads(arguments: Arguments) -> AllOptions:
         "base": arguments.options.get("base"),
         "repair_inertia": arguments.has("repair-inertia"),
         "sdf_version": arguments.options.get("sdf-version"),
+        "mujoco_version": arguments.options.get("mujoco-version"),
     }
 
 
@@ -58,6 +59,7 @@ COMMAND = Command(
         "base": ("the same for downloads: fix the root, or let it move freely"),
         "repair-inertia": ("balance inertia that no body can have in downloads"),
         "sdf-version": ("version of SDF in downloads: 1.11 (the default), 1.9 or 1.12"),
+        "mujoco-version": ("version of MuJoCo that reads downloaded MJCF: 3.3 or newer"),
     },
     targets=_downloads,
 )
