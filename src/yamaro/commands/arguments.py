@@ -6,7 +6,6 @@ import os
 
 from ..source import STANDARD_INPUT
 from .command_table import BUILD, command_named, named_commands
-from .option_table import WRITING
 from .reports import WrongUsage, goes_to_standard_output, near, quote
 
 TYPE_CHECKING = False
@@ -356,7 +355,7 @@ def targets_of(arguments: Arguments) -> AllOptions:
         from .formats import targets_in
 
         return targets_in(arguments)
-    for name in WRITING:
+    for name in ("base", "repair-inertia", "sdf-version", "mujoco-version"):
         if arguments.has(name):
             raise WrongUsage(f"'--{name}' needs an output format, such as --to sdf")
     meshes = arguments.options.get("meshes", "relative")
