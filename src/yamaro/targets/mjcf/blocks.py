@@ -233,7 +233,12 @@ def join(own: Element, given: Element, said: set[tuple[str, str]]) -> list[tuple
 
 
 def merged(
-    own: Iterable[Node], given: Sequence[Element], keys: Keys, *, orders: bool = True
+    own: Iterable[Node],
+    given: Sequence[Element],
+    keys: Keys,
+    *,
+    orders: bool = True,
+    is_body: bool = False,
 ) -> list[Node]:
     """Return elements that are written, with those of blocks merged into them or added.
 
@@ -245,6 +250,7 @@ def merged(
         keys: returns what an element can be known by; a block's is known by the first.
         orders: whether what blocks name is in their order, at the places that this has among the
             others.
+        is_body: whether that holds for the elements of each word alone: geoms, sites.
     """
     found = list(own)
     known: dict[object, list[Element]] = {}
@@ -270,12 +276,15 @@ def merged(
     if not named:
         return found + before
     ordered: list[Node] = []
-    rest = iter(named)
+    rows: dict[str, list[Element]] = {}
+    for each in named:
+        rows.setdefault(each.name if is_body else "", []).append(each)
+    rest = {word: iter(row) for word, row in rows.items()}
     for node in found:
-        if id(node) not in taken:
+        if not isinstance(node, Element) or id(node) not in taken:
             ordered.append(node)
             continue
-        here = next(rest) if orders else node
+        here = next(rest[node.name if is_body else ""]) if orders else node
         ordered += [*before, here, *following.get(id(here), ())]
         before = []
     return ordered

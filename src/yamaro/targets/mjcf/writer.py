@@ -224,7 +224,7 @@ def _merge_link(writing: Writing, link: Link) -> None:
         free_name = writing.renamed_geoms.get((link.name, attribute_text(given, "name") or ""))
         if free_name is not None and given.name == "geom":
             elements[index] = changed(given, {**given.attributes, "name": free_name})
-    body.children = merged(body.children, elements, _in_body)
+    body.children = merged(body.children, elements, _in_body, is_body=True)
 
 
 def _is_free(joint: Element) -> bool:
