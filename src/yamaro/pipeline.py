@@ -485,6 +485,7 @@ def _fitter(interpreter: Interpreter, request: Request) -> Fitter:
         is_cached=request.options.policy.is_trusted,
         is_for_urdf=interpreter.target == URDF,
         known=request.fits,
+        on_work=request.options.on_progress,
     )
 
 

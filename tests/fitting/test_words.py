@@ -76,6 +76,15 @@ def test_every_run_gives_the_same_bytes(tmp_path: Path) -> None:
     assert alone.stdout == cold
 
 
+def test_work_on_several_shapes_says_how_far_it_is() -> None:
+    rows = [f"    - collision: {{geometry: arm.stl, scale: {n}, fit: box}}" for n in (1, 2, 3, 4)]
+    head = ["robot: r", "model:", "- part:", "    name: base", "    link:"]
+    Path("r.yaml").write_text("\n".join([*head, *rows]), encoding="utf-8")
+    parts_done: list[float] = []
+    build("r.yaml", on_progress=parts_done.append)
+    assert parts_done == [0, 0.25, 0.5, 0.75, 1]
+
+
 def test_a_capsule_is_a_cylinder_and_two_spheres_in_urdf_1_0_alone() -> None:
     Path("r.yaml").write_text(ROBOT.replace("FIT", "capsule"), encoding="utf-8")
     outputs = build("r.yaml", target=["mjcf", "urdf", "sdf"], base="fixed", meshes="none").outputs

@@ -226,11 +226,17 @@ def _build(
     from ..program import Program
 
     path = arguments.words[0]
-    on_progress = None
-    if arguments.has("to") or arguments.known_command.targets is not None:  # it may take long
-        from .progress import progress_on
+    show_progress: Callable[[float], None] | None = None
 
-        on_progress = progress_on(streams)
+    def on_progress(part: float) -> None:
+        """Show how far the work is, which few builds say."""
+        nonlocal show_progress
+        if show_progress is None:
+            from .progress import progress_on
+
+            show_progress = progress_on(streams) or (lambda part: None)
+        show_progress(part)
+
     options = options_of(
         arguments,
         policy=policy,

@@ -60,6 +60,7 @@ def fitted_sections(
             trace=asked.trace,
         )
     wanted = _wanted(lowering, asked, fields)
+    _show_progress(lowering)
     fit = worked_out(
         lowering,
         wanted,
@@ -95,6 +96,17 @@ def fitted_sections(
     )
     lowering.fits[id(key)] = key, note
     return made
+
+
+def _show_progress(lowering: Lowering) -> None:
+    """Show how many of the shapes that the robot asks for are worked out."""
+    fitter = lowering.fitter
+    if fitter.on_work is None or lowering.root is None:
+        return
+    if not fitter.total:
+        names = FIT_KEYS | LIGHTER_KEYS
+        fitter.total = sum(each.name in names for each in lowering.root.iter())
+    fitter.on_work(min(len(lowering.fits) / max(fitter.total, 1), 0.99))
 
 
 # --- what is asked for ------------------------------------------------------------------------

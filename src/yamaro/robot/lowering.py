@@ -47,11 +47,16 @@ class Fitter:
         make_mesh: takes the name and the bytes of an STL that is made, and returns its `filename`.
         is_cached: whether results are kept on the disk from one run to the next.
         known: what was worked out in this build so far.
+        on_work: is called with how far the work is, from 0 to 1.
+        total: how many shapes are asked for, once the first one is worked out.
         is_for_urdf: whether the robot is written as URDF, where older versions have no capsules.
         differs_in_urdf: whether there is a capsule, which URDF holds as a cylinder and two spheres.
     """
 
-    __slots__ = ("differs_in_urdf", "is_cached", "is_for_urdf", "known", "make_mesh")
+    __slots__ = (
+        "differs_in_urdf", "is_cached", "is_for_urdf", "known", "make_mesh", "on_work",
+        "total",
+    )  # fmt: skip
 
     def __init__(
         self,
@@ -60,12 +65,15 @@ class Fitter:
         is_cached: bool = False,
         is_for_urdf: bool = False,
         known: dict[bytes, Fit] | None = None,
+        on_work: Callable[[float], None] | None = None,
     ) -> None:
         """Hold it; see the class."""
         self.make_mesh = make_mesh
         self.is_cached = is_cached
         self.is_for_urdf = is_for_urdf
         self.known: dict[bytes, Fit] = {} if known is None else known
+        self.on_work = on_work
+        self.total = 0
         self.differs_in_urdf = False
 
 
@@ -74,6 +82,7 @@ class Lowering:
 
     Attributes:
         has_words: whether there is anything that `finish.py` has to do.
+        root: the robot, as it was evaluated.
         fits: what was worked out from the meshes of sections, by the identity of the key, with it.
         fitter: takes the meshes that are made.
         has_capsule: whether the robot's URDF version knows capsules.
@@ -135,6 +144,7 @@ class Lowering:
         "reporter",
         "reports",
         "resolve_mesh",
+        "root",
         "trace",
     )
 
@@ -146,8 +156,10 @@ class Lowering:
         may_read: Callable[[str], bool] | None,
         has_capsule: bool,
         fitter: Fitter | None = None,
+        root: Element | None = None,
     ) -> None:
         """Start a run with nothing found."""
+        self.root = root
         self.fitter = fitter or Fitter()
         self.fits: dict[int, tuple[Element, RobotNote]] = {}
         self.reporter = reporter

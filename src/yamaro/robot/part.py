@@ -102,6 +102,8 @@ def lower(
         )
     lowering = lowering_of(root, reporter, resolve_mesh, may_read=may_read, fitter=fitter)
     robot = _rebuilt(lowering, root, places, is_root=True)
+    if lowering.fits and lowering.fitter.on_work is not None:
+        lowering.fitter.on_work(1.0)
     settle(reporter.diagnostics, None)
     settle(lowering.errors, None)
     if lowering.errors:
@@ -198,6 +200,7 @@ def lowering_of(
         may_read=may_read,
         has_capsule=_has_capsule(root),
         fitter=fitter,
+        root=root,
     )
 
 
