@@ -43,6 +43,8 @@ GIVEN: dict[tuple[str, str], str] = {
     ("mesh", "scale"): "1 1 1",
     ("actuator", "motor"): "unitree_5020",
     ("surface", "friction2"): "0.6",
+    ("lidar", "rays"): "12",  # each is an element in MJCF
+    ("lidar", "rows"): "2",
     ("loop", "name"): "bar",
     ("loop", "type"): "revolute",
     ("loop", "between"): "[tip, pin]",
