@@ -226,6 +226,17 @@ def test_what_is_kept_is_reported_when_another_format_is_written(tmp_path: Path)
     }
 
 
+def test_what_a_link_without_mass_says_of_itself_is_not_said_of_its_body(tmp_path: Path) -> None:
+    """SDF has it as a frame of the link that it is fixed to."""
+    model = """<link name="a"/><link name="b"><gravity>false</gravity>
+        <inertial><mass>0</mass><inertia><ixx>0</ixx><iyy>0</iyy><izz>0</izz></inertia></inertial>
+        </link><joint name="j" type="fixed"><parent>a</parent><child>b</child></joint>"""
+    build = built(tmp_path, model, target="sdf")
+    assert "gravity" not in build.xml()
+    assert [each.code for each in build.warnings] == ["lost-in-sdf"]
+    assert "<gravity> of links that are frames" in build.warnings[0].message
+
+
 def test_names_in_what_is_kept_change_with_the_prefix_of_an_attached_robot(tmp_path: Path) -> None:
     built(
         tmp_path,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from math import inf, isfinite, isnan, nan, radians
 
-from ...diagnostics import WARNING, Diagnostic, Frame, YamaroError, did_you_mean
+from ...diagnostics import ERROR, WARNING, Diagnostic, Frame, YamaroError, did_you_mean
 from ...model.making import Place
 from ...model.making import element as made_element
 from ...model.pose import IDENTITY, UNTURNED, Pose, rotation_from_quaternion, rotation_from_rpy
@@ -69,33 +69,21 @@ class Reading:
         *,
         hint: str | None = None,
         notes: Sequence[str] = (),
+        severity: str = ERROR,
     ) -> None:
-        """Note an error; the document is read on."""
-        self.errors.append(
-            Diagnostic(code, message, span, hint=hint, notes=notes, trace=self.trace(span))
-        )
+        """Note an error, and read on; a warning is reported."""
+        made = Diagnostic(
+            code, message, span,
+            hint=hint, notes=notes, severity=severity, trace=self.trace(span),
+        )  # fmt: skip
+        if severity == ERROR:
+            self.errors.append(made)
+        else:
+            self.host.reporter.add(made)
 
-    def warn(
-        self,
-        code: str,
-        message: str,
-        span: Span,
-        *,
-        hint: str | None = None,
-        notes: Sequence[str] = (),
-    ) -> None:
+    def warn(self, code: str, message: str, span: Span, *, hint: str | None = None) -> None:
         """Report what does not prevent a robot."""
-        self.host.reporter.add(
-            Diagnostic(
-                code,
-                message,
-                span,
-                hint=hint,
-                notes=notes,
-                severity=WARNING,
-                trace=self.trace(span),
-            )
-        )
+        self.fail(code, message, span, hint=hint, severity=WARNING)
 
     def settle(self) -> None:
         """Raise YamaroError if there were errors."""

@@ -47,12 +47,10 @@ def _split_noise(imu: Element) -> None:
     for old, new in NOISES.items():
         of_all = child_named(noise, old)
         if of_all is not None:
+            values: list[Node] = [each for each in of_all.elements() if not each.elements()]
             axes: list[Node] = [
-                Element(
-                    axis, noise.span, {},
-                    [Element("noise", of_all.span, dict(given), list(of_all.children))],
-                )
+                Element(axis, noise.span, {}, [Element("noise", of_all.span, {**given}, [*values])])
                 for axis in "xyz"
-            ]  # fmt: skip
+            ]
             made.append(Element(new, of_all.span, {}, axes))
     imu.children = [*(each for each in imu.children if each is not noise), *made]

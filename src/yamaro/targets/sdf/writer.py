@@ -34,6 +34,11 @@ if TYPE_CHECKING:
 MODEL_FRAME = "__model__"
 NAMESPACE = "http://gazebosim.org/schema"
 """Of what Gazebo adds to SDFormat."""
+OF_BODIES = frozenset(
+    """gravity self_collide kinematic enable_wind velocity_decay must_be_base_link inertial
+    pose""".split()
+)
+"""What a `<link>` says of itself, which a frame in it cannot say."""
 IGNORED = "ignored_collision_filter_group"
 DRAKE = "https://drake.mit.edu"
 """Of what Drake adds to it."""
@@ -197,7 +202,7 @@ class _Model:
                             self._losses.lose(what, sensor, hint=hint)
                     home = sensor.frame if sensor.frame in self._robot.links else sensor.link
                     parts.append(self._sensor(sensor, name, home, collisions))
-            block += self._raw.in_link(member.name)
+            block += self._of_body(member, name)
         parts += self._blocks.links.get(name, ())
         attributes: Attributes = {"name": self._names.links[name]}
         body = element("link", attributes, children=[*self._pose(link), *parts], owner=link)
@@ -205,6 +210,18 @@ class _Model:
             merged(body, block),
             *(self._frame(each, name) for each in members if each is not link),
         ]
+
+    def _of_body(self, member: Link, name: str) -> list[Element]:
+        """Return what a block says of a link in a body; what is of a body alone is that of one."""
+        block = self._raw.in_link(member.name)
+        if member.name == name:
+            return block
+        label = f"link '{member.name}'"
+        for each in block:
+            if each.name in OF_BODIES:
+                what = f"<{each.name}> of links that are frames"
+                self._losses.lose_xml(what, each, label=label, trace=each.trace)
+        return [each for each in block if each.name not in OF_BODIES]
 
     def _pose(self, link: Link) -> list[Element]:
         """Return the pose of a body: in its joint, or in the link attached to it."""

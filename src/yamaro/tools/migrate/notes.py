@@ -296,23 +296,25 @@ class Notes:
     def _absorb(self, note: Element) -> None:
         """Let a sensor make the frame of its name, where it would make the one that is there."""
         sensor = values_of(note)
-        name, link = sensor["name"], sensor.get("link")
-        if link is None or sensor.get("frame") != name or not self._links[link].elements():
+        name, link, home = sensor["name"], sensor.get("link"), sensor.get("frame")
+        if link is None or home is None:
             return
-        frames = [(name, link)]
-        if sensor["type"] in CAMERAS:
-            frames.append((f"{name}{OPTICAL}", name))
+        has_own = home == name and bool(self._links[link].elements())
+        frames = [(name, link)] if has_own else []
+        if sensor["type"] in CAMERAS and "xyz" not in sensor:
+            frames.append((f"{name}{OPTICAL}", home))
         for frame, parent in frames:
             own, joint = self._links.get(frame), self._joints.get(frame)
             if own is None or joint is None or ("link", frame) in self._blocks:
                 return
             if not is_frame(own, joint, parent):
                 return
-        between = list(self._links)[self._order[link] + 1 : self._order[name]]
-        if any(child_of_frame(self._joints.get(each)) != link for each in between):
-            return
-        self._made[name] = note
-        for frame, _ in frames[1:]:
+        if has_own:
+            between = list(self._links)[self._order[link] + 1 : self._order[name]]
+            if any(child_of_frame(self._joints.get(each)) != link for each in between):
+                return
+            self._made[name] = note
+        for frame, _ in frames[has_own:]:
             self.absorbed |= {id(self._links[frame]), id(self._joints[frame])}
 
     def sensor_in_place_of(self, link: Element, pose: list[Entry]) -> Entry | None:
