@@ -89,6 +89,7 @@ def _compiled(name: str, content: bytes) -> bytes:
             str(code),
             f"{STANDARD_LIBRARY}/{name}",
             doraise=True,
+            optimize=2,  # without docstrings
             invalidation_mode=py_compile.PycInvalidationMode.UNCHECKED_HASH,
         )
         return code.read_bytes()

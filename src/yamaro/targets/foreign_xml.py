@@ -235,7 +235,8 @@ def lost_blocks(robot: Robot, format: str) -> Losses:
         for each in raw.elements:
             if is_typed and each.name in _OF_TYPES:
                 continue
-            inner = each.elements() if each.name in _SECTIONS else [each]
+            is_section = each.name in _SECTIONS and raw.format == "mjcf"
+            inner = each.elements() if is_section else [each]
             for element in inner or ([each] if each.attributes else []):
                 if element.body == SAID or _says_nothing(element, each.name):
                     continue
@@ -285,9 +286,12 @@ def _what(robot: Robot, raw: RawXml, element: Element, title: str) -> str:
     if link is not None:
         known = {each.name for each in link.visuals} | {each.name for each in link.collisions}
         known |= {joint.child for joint in robot.joints_below(link.name) if joint.is_fixed}
+    if element.name == "sensor":
+        known |= robot.sensors.keys()
     is_detail = name in known or (raw.joint in robot.actuators and raw.joint is not None)
     is_detail |= element.name == "joint" and "joint1" in element.attributes
     is_detail |= element.name == "key" and name in robot.states
+    is_detail |= element.name == "axis" and raw.joint is not None
     word = f"{title}'s <{element.name}>"
     return f"details of {word}" if is_detail else f"{word} elements"
 

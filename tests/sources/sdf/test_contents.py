@@ -174,6 +174,19 @@ def test_the_one_noise_of_an_imu_before_1_6_is_that_of_each_axis(tmp_path: Path)
         assert [each.text for each in found] == [deviation] * 3
 
 
+def test_a_noise_of_another_type_and_attributes_of_other_programs_are_kept(tmp_path: Path) -> None:
+    build = built(
+        tmp_path,
+        '<link name="a"><sensor name="m" type="magnetometer"><magnetometer><x>'
+        '<noise type="gaussian_quantized"><stddev>0.1</stddev></noise></x></magnetometer></sensor>'
+        '<visual name="v"><geometry><box><size my:mark="yes">1 2 3</size></box></geometry></visual>'
+        "</link>",
+        target="sdf",
+    )
+    assert 'type="gaussian_quantized"' in build.xml()
+    assert 'my:mark="yes">1 2 3</size>' in build.xml()
+
+
 def test_a_mimic_with_a_reference_is_one_offset(tmp_path: Path) -> None:
     joint = (
         '<joint name="{0}" type="revolute"><parent>a</parent><child>{1}</child><axis><xyz>1 0 0'

@@ -183,7 +183,7 @@ window.addEventListener("drop", (event) => {
   if (!hasFiles(event)) return;
   event.preventDefault();
   event.stopPropagation();
-  void takeFiles(event.dataTransfer.files);
+  void takeFiles([...event.dataTransfer.files]); // the list is empty once the event is over
 }, true);
 
 function showFile(name) {

@@ -83,7 +83,10 @@ def kept_of(element: Element, held: Held, *, name: str | None = None) -> Element
     children: list[Node] = []
     for child in element.elements():
         of_child = held.get(child.name, False)
-        if of_child is True:
+        if of_child is True:  # what other programs say of it is beside what the model holds
+            others = {key: value for key, value in child.attributes.items() if ":" in key}
+            if others:
+                children.append(Element(child.name, child.span, others))
             continue
         inner = child if of_child is False else kept_of(child, of_child)
         if inner is not None:

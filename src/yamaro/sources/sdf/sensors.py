@@ -19,7 +19,8 @@ WRITTEN_TYPES = {"row": "gpu_lidar", "lidar": "gpu_lidar", "range": "gpu_lidar",
 """What SDF calls the types of the model that have another name there."""
 SAME_TYPES = {"gpu_ray": "gpu_lidar", "gps": "navsat", "depth": "depth_camera"}
 """Older names of types, and what they are called now."""
-_AXES = ("x", "y", "z")
+SAME_NOISE = ("gaussian", "none", "", None)
+"""Types of noise that the model has, or that are none; another one is kept."""
 _SCAN: Held = {"samples": True, "min_angle": True, "max_angle": True}
 _RANGE: Held = {"min": True, "max": True}
 _ONE: Held = {"scan": {"horizontal": {"samples": True}}, "range": _RANGE}
@@ -152,7 +153,7 @@ def _without_usual(element: Element, *, has_noise: bool) -> Element | None:
             continue
         children.append(child)
     attributes = dict(element.attributes)
-    if is_noise and (has_noise or not children):
+    if is_noise and (has_noise or not children) and attributes.get("type") in SAME_NOISE:
         attributes.pop("type", None)
     if not children and not attributes:
         return None

@@ -144,6 +144,13 @@ class Shapes:
             if child is not None and content(child):
                 row = reading.spelled(child, count)
                 spans[name] = text_span(child)
+            else:
+                reading.warn(
+                    "sdf-assumed",
+                    f"this <{element.name}> has no <{name}>; it is taken for 1, as SDFormat does",
+                    element.span,
+                    hint=f"write <{name}>{' '.join(['1'] * count)}</{name}>",
+                )
             row = row or Numbers.of(*(1.0,) * count)
             if min(row.values) <= 0:
                 reading.fail(
