@@ -39,7 +39,7 @@ set(_YAMARO_ENDING_controllers _controllers.yaml CACHE INTERNAL "")
 # Sets `out` to the name of a robot's file without its endings: rover for rover.urdf.yaml.
 function(_yamaro_name file out)
   get_filename_component(name "${file}" NAME)
-  string(REGEX REPLACE "\\.(yaml|yml|xacro|urdf|xml)$" "" name "${name}")
+  string(REGEX REPLACE "\\.(yaml|yml|xacro|urdf|xml|sdf|world|mjcf)$" "" name "${name}")
   string(REGEX REPLACE "\\.(urdf|yamaro|xacro)$" "" name "${name}")
   set(${out} "${name}" PARENT_SCOPE)
 endfunction()

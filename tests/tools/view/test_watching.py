@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import signal
 import subprocess
@@ -16,6 +17,7 @@ from tests.waiting import PATIENCE, wait_for
 from yamaro.options import Options, UsageError
 from yamaro.policy import Policy
 from yamaro.rebuilding import FileWatch, Rebuilder, count_told, surroundings
+from yamaro.tools.view.session import Session
 
 ROBOT = "robot: one\nmodel:\n  include: more.yaml\n  link/name=base:\n"
 MORE = (
@@ -85,6 +87,54 @@ def test_the_surroundings_are_the_sources_and_folders_that_are_not_hidden(tmp_pa
 
 def rebuilder_of(path: Path) -> Rebuilder:
     return Rebuilder(str(path), Options(policy=Policy(), on_message=print))
+
+
+def test_what_mjcf_and_sdf_are_made_of_is_followed_and_bodies_lead_to_their_lines(
+    tmp_path: Path,
+) -> None:
+    points = ((0, 0, 0), (0, 1, 0), (1, 0, 0), (0, 0, 1))
+    sides = ((0, 1, 2), (0, 2, 3), (0, 3, 1), (2, 1, 3))
+    corners = [
+        "facet normal 0 0 0\nouter loop\n"
+        + "".join("vertex {} {} {}\n".format(*points[each]) for each in side)
+        + "endloop\nendfacet\n"
+        for side in sides
+    ]
+    (tmp_path / "tip.stl").write_text(f"solid tip\n{''.join(corners)}endsolid tip\n")
+    (tmp_path / "assets.xml").write_text(
+        '<mujoco><asset><mesh name="tip" file="tip.stl"/></asset></mujoco>'
+    )
+    (tmp_path / "arm.xml").write_text(
+        '<mujoco model="arm">\n<include file="assets.xml"/>\n<worldbody>\n<body name="base">'
+        '<geom type="mesh" mesh="tip"/></body>\n</worldbody>\n</mujoco>'
+    )
+    (tmp_path / "hand").mkdir()
+    (tmp_path / "hand/model.config").write_text('<model><sdf version="1.9">hand.sdf</sdf></model>')
+    (tmp_path / "hand/hand.sdf").write_text(
+        '<sdf version="1.9"><model name="hand">\n<link name="base"><visual name="v">'
+        "<geometry><mesh><uri>../tip.stl</uri></mesh></geometry></visual></link></model></sdf>"
+    )
+    (tmp_path / "cell.sdf").write_text(
+        '<sdf version="1.9"><include><uri>model://hand</uri></include></sdf>'
+    )
+    for main, files, place in (
+        ("arm.xml", ("arm.xml", "assets.xml", "tip.stl"), ("arm.xml", 4)),
+        ("cell.sdf", ("cell.sdf", "hand/hand.sdf", "tip.stl"), ("hand/hand.sdf", 2)),
+    ):
+        session = Session(rebuilder_of(tmp_path / main), editor="none")
+        assert session.build().build is not None
+        state = json.loads(session.state())
+        number = state["robot"]["links"]["base"]["place"]
+        found = session.place(number, version=state["robotVersion"], is_fault=False)
+        assert found is not None and found[:2] == (str(tmp_path / place[0]), place[1])
+        rebuilder = rebuilder_of(tmp_path / main)
+        rebuilder.build()
+        for name in files:
+            path = tmp_path / name
+            path.write_text(path.read_text() + "\n")
+            assert rebuilder.has_changed(), name
+            rebuilder.build()
+            assert not rebuilder.has_changed()
 
 
 def test_a_build_follows_its_files_and_a_failed_one_its_surroundings(tmp_path: Path) -> None:
