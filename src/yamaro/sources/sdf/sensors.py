@@ -20,7 +20,7 @@ WRITTEN_TYPES = {"row": "gpu_lidar", "lidar": "gpu_lidar", "range": "gpu_lidar",
 SAME_TYPES = {"gpu_ray": "gpu_lidar", "gps": "navsat", "depth": "depth_camera"}
 """Older names of types, and what they are called now."""
 SAME_NOISE = ("gaussian", "none", "", None)
-"""Types of noise that the model has, or that are none; another one is kept."""
+"""Types of noise that the model has, or that say there is no noise; another one is kept."""
 _SCAN: Held = {"samples": True, "min_angle": True, "max_angle": True}
 _RANGE: Held = {"min": True, "max": True}
 _ONE: Held = {"scan": {"horizontal": {"samples": True}}, "range": _RANGE}
