@@ -22,6 +22,7 @@ def outcome_of_build(build: Build, *, has_root: bool) -> Outcome:
         pieces=() if build.outputs else build.pieces,
         files=build.files,
         meshes=build.meshes,
+        made=build.finder.made_among(build.meshes),
         noted=build.noted,
         root=build.robot_tree() if has_root else None,
         notes=[unshared(note) for note in build.notes] if has_root else (),
@@ -57,6 +58,12 @@ def build_of_outcome(outcome: Outcome, request: Request, policy: Policy) -> Buil
             asked for.
     """
     formats = request.options.target
+    try:
+        if outcome.made:
+            request.finder.made.adopt(outcome.made)
+    except ValueError as error:
+        broken = JailAnswerBroken(f"its answer is malformed: {error}")
+        raise failure_of_jail(broken, policy, request.source.name) from None
     if formats is not None:
         try:
             return _first_output(outcome, formats, request)

@@ -482,6 +482,7 @@ def _fitter(interpreter: Interpreter, request: Request) -> Fitter:
     from .robot.lowering import Fitter
 
     return Fitter(
+        make_mesh=request.finder.make,
         is_cached=request.options.policy.is_trusted,
         is_for_urdf=interpreter.target == URDF,
         known=request.fits,

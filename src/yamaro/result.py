@@ -130,14 +130,17 @@ class Build(Public):
     def assets(self) -> dict[str, bytes]:
         """Return what belongs beside the output, by paths relative to it.
 
-        That are the copies of meshes, for URDF with `meshes="copy"`, and files such as `scene.xml`.
+        That are meshes that were made of others, such as convex pieces; for URDF with
+        `meshes="copy"` the copies of all meshes; and files such as `scene.xml`.
 
         Raises:
             OSError: a mesh cannot be read any more.
         """
         if self._assets is not None:
             return dict(self._assets)
-        return self._copies.of(self.meshes) if self._copies else {}
+        meshes = self.meshes
+        made = self.finder.made_among(meshes)
+        return made | (self._copies.of(meshes) if self._copies else {})
 
     @property
     def root(self) -> Element:

@@ -214,7 +214,8 @@ FINE = '<?xml version="1.0"?>\n<robot name="r">\n  <link name="é&#10;"/>\n</rob
 
 def answer(**parts: bytes) -> bytes:
     """Return an answer without a tree, with some of its parts replaced."""
-    names = "messages sources frames diagnostics document files meshes nodes notes documents noted"
+    names = "messages sources frames diagnostics document files meshes nodes notes documents noted "
+    names += "made"
     usual = {"document": FINE.encode()} | parts
     return pack([usual.get(name, b"") for name in names.split()])
 

@@ -173,7 +173,7 @@ def _deliver_build(
 
         return deliver_formats(build, chunks, arguments, streams)
     refuse_overwriting(arguments, lambda: [*build.files, *build.meshes])
-    status = deliver_assets(lambda: build.assets, arguments, streams)
+    status = deliver_assets(build, arguments, streams)
     return deliver(chunks, arguments, streams, form) if status == DONE else status
 
 

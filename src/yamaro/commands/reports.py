@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
     from ..diagnostics import Diagnostic
+    from ..result import Build
     from .arguments import Arguments
 
 
@@ -193,20 +194,24 @@ def deliver_files(files: dict[str, bytes], streams: Streams) -> int:
     return DONE
 
 
-def deliver_assets(
-    find: Callable[[], dict[str, bytes]], arguments: Arguments, streams: Streams
-) -> int:
+def deliver_assets(build: Build, arguments: Arguments, streams: Streams) -> int:
     """Write files beside the output, such as copies of meshes; replace none that differs."""
-    if arguments.options.get("meshes") != "copy" or arguments.has("deps"):
+    is_copied = arguments.options.get("meshes") == "copy"
+    if arguments.has("deps") or not (is_copied or build.finder.has_made):
         return DONE
     output = arguments.output_path
-    if os.path.exists(output) and not os.path.isfile(output):
+    if goes_to_standard_output(arguments) or (
+        os.path.exists(output) and not os.path.isfile(output)
+    ):
         raise WrongUsage(
             "'--meshes copy' needs '-o' with a regular file; the copies are written beside it"
+            if is_copied
+            else "this robot has meshes that are made of others, and are written beside it: name "
+            "it with -o FILE, or write --meshes none"
         )
     try:
         folder = os.path.dirname(output)
-        files = {os.path.join(folder, name): data for name, data in find().items()}
+        files = {os.path.join(folder, name): data for name, data in build.assets.items()}
         new = {path: data for path, data in files.items() if not is_written(path, data)}
     except OSError as error:
         name = os.fspath(error.filename or "a mesh")

@@ -6,6 +6,7 @@ import os
 
 from ..diagnostics import YamaroError, failure
 from .loader import LoadError
+from .regular import MADE
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
     from ..source import Span
     from ..xml.tree import Element
     from .installed import InstalledPackage
+    from .made import MadeFiles
     from .packages import PackageFinder
     from .readable import Reach
 
@@ -31,7 +33,7 @@ class MeshFinder:
     relative to the file in which it is written. `PackageFinder.find` finds packages.
     """
 
-    __slots__ = ("_found", "_packages", "_reach", "_start")
+    __slots__ = ("_found", "_made", "_packages", "_reach", "_start")
 
     def __init__(
         self, packages: PackageFinder, reach: Reach | None = None, *, start: str = ""
@@ -48,6 +50,29 @@ class MeshFinder:
         self._reach = reach
         self._start = start
         self._found: dict[tuple[str, str], str | None] = {}
+        self._made: MadeFiles | None = None
+
+    @property
+    def made(self) -> MadeFiles:
+        """Return the files that this build makes itself."""
+        if self._made is None:
+            from .made import MadeFiles
+
+            self._made = MadeFiles()
+        return self._made
+
+    @property
+    def has_made(self) -> bool:
+        """Return whether this build made files itself."""
+        return self._made is not None
+
+    def make(self, stem: str, content: bytes) -> str:
+        """Make a mesh out of the bytes of an STL; return the name by which it is referred to."""
+        return self.made.make(stem, ".stl", content)
+
+    def made_among(self, paths: list[str]) -> dict[str, bytes]:
+        """Return those of some files that this build made, by their paths beside a document."""
+        return self._made.of(paths) if self._made is not None else {}
 
     def resolve(self, filename: str, span: Span) -> str | None:
         """Return the absolute path of a file referred to at a span, or None if it is not there.
@@ -55,6 +80,8 @@ class MeshFinder:
         Raises:
             YamaroError: it lies where it may not be read.
         """
+        if self._made is not None and (path := self._made.path_of(filename)) is not None:
+            return path
         key = (filename, _directory(span))
         if key not in self._found:
             self._found[key] = self._find(filename, span)
@@ -104,7 +131,7 @@ class MeshFinder:
 
     def allows(self, path: str) -> bool:
         """Return whether a file may be read, such as a texture that a mesh names."""
-        return self._reach is None or self._reach.allows(path)
+        return self._reach is None or path.startswith(MADE) or self._reach.allows(path)
 
     @property
     def reach(self) -> Reach | None:

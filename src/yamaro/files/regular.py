@@ -27,6 +27,8 @@ UNOPENED = errno.ENXIO
 PATIENCE = 2.0
 """Seconds to wait for a program to open a named pipe, such as one that was just started."""
 _STEP = 0.02
+MADE = os.path.join(os.path.abspath(os.sep), "made by yamaro")
+"""The folder of files that are only in memory; see `made.py`."""
 
 
 class _Unblocked(FileIO):
@@ -54,6 +56,12 @@ def open_regular(path: str) -> BufferedReader:
         OSError: it cannot be opened, or is not a regular file; `strerror` says what it is.
         ValueError: the path holds a null character.
     """
+    if path.startswith(MADE):
+        from io import BytesIO
+
+        from .made import content_of
+
+        return BufferedReader(BytesIO(content_of(path)))
     if _is_device(path):
         raise OSError(errno.EINVAL, _OTHER)
     descriptor = os.open(path, _FLAGS)

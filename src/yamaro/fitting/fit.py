@@ -176,7 +176,7 @@ def fitted(mesh: TriangleMesh, wanted: Wanted) -> Fit:
     pieces: list[Placed | TriangleMesh]
     match wanted.word:
         case "fit" if wanted.kind == HULL:
-            from .pieces import hull_of  # type: ignore[import-not-found]
+            from .pieces import hull_of
 
             pieces = [hull_of(mesh)]
         case "fit":
@@ -189,12 +189,12 @@ def fitted(mesh: TriangleMesh, wanted: Wanted) -> Fit:
             pieces = [*decompose(mesh, wanted.count)]
         case "spheres":
             from ..model.shapes import Sphere
-            from .spheres import spheres_of  # type: ignore[import-not-found]
+            from .spheres import spheres_of
 
             found = spheres_of(mesh, wanted.count, cover=wanted.covers)
             pieces = [Placed(Sphere(radius), xyz, (0.0, 0.0, 0.0)) for xyz, radius in found]
         case "triangles":
-            from .lighter import lighter  # type: ignore[import-not-found]
+            from .lighter import lighter
 
             pieces = [lighter(mesh, wanted.count)]
         case _:

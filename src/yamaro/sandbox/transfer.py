@@ -99,6 +99,7 @@ class Outcome:
         pieces: the document in UTF-8, in pieces; empty if there are errors.
         files: the files read.
         meshes: the meshes referred to.
+        made: those of them that the conversion made, their bytes by their names.
         root: the finished tree, if it was asked for and there is one.
         notes: what comes with the tree of a robot, such as its sensors.
         documents: the documents in the output formats asked for, if there are any.
@@ -109,6 +110,7 @@ class Outcome:
         "diagnostics",
         "documents",
         "files",
+        "made",
         "meshes",
         "messages",
         "noted",
@@ -125,6 +127,7 @@ class Outcome:
         pieces: Sequence[str] = (),
         files: Sequence[str] = (),
         meshes: Sequence[str] = (),
+        made: Mapping[str, bytes] | None = None,
         root: Element | None = None,
         notes: Sequence[Element] = (),
         documents: Sequence[Document] = (),
@@ -135,6 +138,7 @@ class Outcome:
         self.pieces = list(pieces)
         self.files = list(files)
         self.meshes = list(meshes)
+        self.made = made or {}
         self.root = root
         self.notes = list(notes)
         self.documents = list(documents)
@@ -186,6 +190,7 @@ def to_bytes(outcome: Outcome) -> bytes:
             notes,
             documents,
             noted,
+            pack([each for name, data in outcome.made.items() for each in (_text(name), data)]),
         ]
     )
 
@@ -204,7 +209,8 @@ def from_bytes(data: bytes, limits: Limits | None = None, *, texts: Container[st
     limits = limits or Limits()
     try:
         messages, sources, frames, diagnostics, document, files, meshes, *rest = unpack(data)
-        nodes, notes, documents, noted = rest
+        nodes, notes, documents, noted, made = rest
+        made_parts = unpack(made)
         unpacker = _Unpacker(unpack(sources), unpack(frames))
         printed = _read_texts(messages)
         if sum(map(len, printed)) + len(printed) > 2 * (limits.printed + 1):
@@ -214,6 +220,7 @@ def from_bytes(data: bytes, limits: Limits | None = None, *, texts: Container[st
             diagnostics=[unpacker.diagnostic(each) for each in unpack(diagnostics)],
             files=[_read_file(each) for each in unpack(files)],
             meshes=[_read_name(each) for each in unpack(meshes)],
+            made=dict(zip(map(_read_inner, made_parts[::2]), made_parts[1::2], strict=True)),
             root=unpacker.tree(nodes) if nodes else None,
             notes=[unpacker.tree(each) for each in unpack(notes)],
             documents=[unpacker.document(each, limits, texts) for each in unpack(documents)],

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 
+from ..files.made import named_by_content
 from ..files.regular import read_start
 from ..meshes.bounds import MOST_NAMES, check_bounds, names_in_materials, path_of
 from ..meshes.formats import DAE, GLTF, LARGEST_FILE, OBJ, MeshFileError, mesh_format
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
 
 FOLDER = "assets"
 """The folder of the copies, beside the output."""
-_DIGITS = 12
 
 
 class Assets:
@@ -142,18 +142,6 @@ class Assets:
             if self._is_companion(target, path):
                 found.append(target)
         return found
-
-
-def named_by_content(stem: str, ending: str, contents: Iterable[bytes]) -> str:
-    """Return a name marked with a digest of contents; that of a copy is not marked twice."""
-    from hashlib import sha256
-
-    digest = sha256()
-    for content in contents:
-        digest.update(len(content).to_bytes(8, "little"))
-        digest.update(content)
-    mark = f"-{digest.hexdigest()[:_DIGITS]}"
-    return f"{stem.removesuffix(mark)}{mark}{ending}"
 
 
 def _inside(folder: str, path: str) -> str:

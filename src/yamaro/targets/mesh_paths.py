@@ -10,6 +10,7 @@ import os
 from operator import is_
 
 from ..files.mesh_files import ABSOLUTE, COPY, FILE_ELEMENTS, KEEP, NONE, RELATIVE, MeshFinder
+from ..files.regular import MADE
 from ..xml.tree import Element
 from ..xml.values import format_value
 
@@ -105,6 +106,8 @@ class MeshPaths:
         path = self.finder.reachable(filename, span)
         if path is None:
             return filename
+        if path.startswith(MADE):
+            return self._beside(filename)
         if self._mode == ABSOLUTE:
             return path
         if self.assets is not None:
@@ -122,6 +125,18 @@ class MeshPaths:
             if inner is not None:
                 return f"{self._mode}/{inner}"
         return self._from_folder(filename, path) if is_relative else filename
+
+    def _beside(self, filename: str) -> str:
+        """Return the name of a file that is written beside the output, by the path from there."""
+        path = os.path.join(self._folder, *filename.split("/"))
+        if self._mode == ABSOLUTE:
+            return path
+        found = (self._mode, self._package) if self._package else None
+        if self._mode == PACKAGE:
+            around = self.finder.package_around(path)
+            found = around and (PACKAGE + around[0], around[1])
+        inner = _below(path, found[1]) if found else None
+        return f"{found[0]}/{inner}" if found and inner is not None else filename
 
     def _from_folder(self, filename: str, path: str) -> str:
         """Return the path of a file from the folder of the output."""

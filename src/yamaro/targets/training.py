@@ -316,7 +316,7 @@ def configured(
         assets: the files that the model refers to.
         text_of: returns the configuration, given the path of the model.
     """
-    from .assets import named_by_content
+    from ..files.made import named_by_content
     from .table import module_stem
 
     for state in robot.states.values():

@@ -11,6 +11,7 @@ from math import hypot
 from struct import Struct, iter_unpack
 
 from ...diagnostics import YamaroError
+from ...files.made import named_by_content
 from ...meshes.encoding import obj_of, obj_of_triangles, stl_of
 from ...meshes.formats import (
     NO_TRIANGLES,
@@ -25,7 +26,6 @@ from ...model.convex import cross, dot, minus, outer_points
 from ...sandbox.jail.protocol import pack, unpack
 from ...xml.tree import Element
 from ...xml.values import format_value
-from ..assets import named_by_content
 from ..elements import element
 from ..mesh_contents import MeshContents
 from ..output import FOLDER

@@ -100,7 +100,9 @@ def _with_meshes(robot: Robot, wanted: Wanted, package: str) -> tuple[dict[str, 
     root = paths.applied_to(robot.element)
     text = "".join(write_pieces(root))
     meshes = paths.finder.referred_to(robot.element)
-    assets = paths.assets.of(meshes) if paths.assets is not None else {}
+    assets = paths.finder.made_among(meshes)
+    if paths.assets is not None:
+        assets |= paths.assets.of(meshes)
     for name in {
         format_value(each.attributes["filename"])
         for each in root.iter()

@@ -140,7 +140,9 @@ class _Model:
             kind: {new: name for name, new in known.items()}
             for kind, known in (("link", self._names.links), ("joint", self._names.joints))
         }
-        return Output(root, self._losses, names=names)
+        finder = self._wanted.paths.finder
+        files = finder.made_among(finder.referred_to(robot.element))
+        return Output(root, self._losses, files, names=names)
 
     def _filters(self) -> list[Element]:
         """Return the groups by which Drake, which lets all links touch, leaves out pairs of them.

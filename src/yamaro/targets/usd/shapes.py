@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdPhysics, UsdShade, Vt
 
 from ...diagnostics import failure
+from ...files.made import named_by_content
 from ...meshes.formats import MeshFileError, MissingLibraryError
 from ...model.link import Collision
 from ...model.shapes import Box, Capsule, Cylinder, Sphere
-from ..assets import named_by_content
 from ..losses import Losses
 from ..mesh_contents import MeshContents
 from ..output import FOLDER

@@ -14,7 +14,7 @@ from hashlib import blake2b
 
 from ...confined import Reader
 from ...files.readable import Reach
-from ...files.regular import read_start
+from ...files.regular import MADE, read_start
 from ...meshes.bounds import (
     LARGEST_MATERIALS,
     MOST_NAMES,
@@ -160,7 +160,7 @@ class MeshFiles:
         That is its key, which changes with the file's content, its format as an ending, the keys
         of the files it refers to, by the names it has for them, and perhaps why it is not shown.
         """
-        if self._reach is not None and not self._reach.allows(path):
+        if not self._allows(path):
             return None
         found = self._library.contents(path)
         if found is None or not (found[1].kind or found[1].fault):
@@ -174,6 +174,9 @@ class MeshFiles:
         told["companions"] = {name: key for name, key in keys.items() if key}
         return told
 
+    def _allows(self, path: str) -> bool:
+        return self._reach is None or path.startswith(MADE) or self._reach.allows(path)
+
     def refused_by(self, path: str) -> list[str]:
         """Return the names of textures in a mesh that are not images."""
         found = self._library.contents(path)
@@ -182,7 +185,7 @@ class MeshFiles:
     def _key(self, path: str, kind: str) -> str:
         """Note a file, and return its key; nothing is noted of what may not be fetched."""
         mark = _mark(path)
-        if not mark or (self._reach is not None and not self._reach.allows(path)):
+        if not mark or not self._allows(path):
             return ""
         key = blake2b(mark.encode("utf-8", "surrogatepass"), digest_size=12).hexdigest()
         if kind in CONTENT_TYPES:
@@ -193,6 +196,8 @@ class MeshFiles:
 
 def _mark(path: str) -> str:
     """Return a text that changes with a file's content; "" if there is no file."""
+    if path.startswith(MADE):
+        return path  # which names its content
     try:
         status = os.stat(path)
     except (OSError, ValueError):

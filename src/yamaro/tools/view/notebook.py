@@ -16,7 +16,7 @@ import os
 from ...confined import Reader
 from ...diagnostics import YamaroError
 from ...files.mesh_files import MeshFinder
-from ...files.regular import open_regular
+from ...files.regular import MADE, open_regular
 from ...model.joint import FIXED
 from ...model.link import Collision, Visual
 from ...model.robot import Robot
@@ -187,7 +187,8 @@ class PageFiles:
 
         Where it lies is looked at again: it may have become a link since.
         """
-        path, reach = self._files.paths[key], self._finder.reach
+        path = self._files.paths[key]
+        reach = None if path.startswith(MADE) else self._finder.reach
         try:
             with open_regular(path) as file:
                 if reach is not None and not reach.is_of(path, file.fileno()):

@@ -301,7 +301,8 @@ class Handler(BaseHTTPRequestHandler):
             raise Refused(HTTPStatus.NOT_FOUND)
         file, content = found
         with file:
-            missing = os.fstat(file.fileno()).st_size
+            missing = file.seek(0, os.SEEK_END)
+            file.seek(0)
             self.send_response(HTTPStatus.OK)
             self._send_headers({"Content-Type": content, "Content-Length": str(missing)})
             while missing and (chunk := file.read(min(CHUNK, missing))):

@@ -15,7 +15,7 @@ from ...allowances import set_aside
 from ...confined import FaultInJail, Reader
 from ...diagnostics import ERROR, YamaroError
 from ...files.loader import FileLoader, LoadError, decode
-from ...files.regular import open_regular
+from ...files.regular import MADE, open_regular
 from ...options import UsageError
 from ...rebuilding import Rebuilder, Turn
 from ...request import finder_for, reach_of, read_command_line
@@ -316,7 +316,8 @@ class Session:
             file = open_regular(path)
         except OSError:
             return None
-        if self._reach is not None and not self._reach.is_of(path, file.fileno()):
+        reach = None if path.startswith(MADE) else self._reach
+        if reach is not None and not reach.is_of(path, file.fileno()):
             file.close()
             return None
         return file, files.types[key]

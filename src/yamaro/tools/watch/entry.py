@@ -89,7 +89,7 @@ def _outcome(turn: Turn, arguments: Arguments, streams: Streams) -> str:
 
         status = deliver_formats(build, (), arguments, streams)
     else:
-        status = deliver_assets(lambda: build.assets, arguments, streams)
+        status = deliver_assets(build, arguments, streams)
         if status == DONE:
             status = deliver(build.encoded(), arguments, streams)
     if status != DONE:

@@ -1,0 +1,326 @@
+"""Convex pieces of meshes: the convex hull, and a decomposition into several hulls.
+
+A piece is the hull of the surface on one side of planes. It contains the solid there, since a
+plane cuts the solid in an area whose border is on the surface. So pieces cover the mesh by
+construction, also where it is open or not a manifold, and planes are chosen by the volume of the
+hulls alone. More pieces are cut than asked for, and those merged whose common hull is the least
+larger. Source of that: K. Mamou, F. Ghorbel, A simple and efficient approach for 3D mesh
+approximate convex decomposition, ICIP 2009.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from scipy.spatial import ConvexHull, HalfspaceIntersection, QhullError
+
+from ..meshes.formats import MeshFileError
+from ..meshes.triangles import TriangleMesh
+from .sampling import arrays_of
+from .spheres import Solid
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.floating[Any]]
+    Whole = NDArray[np.integer[Any]]
+
+MOST_CORNERS = 64
+"""Corners of a piece: more than that PhysX does not take on a GPU."""
+FEW = 2_000
+"""Triangles that are all used to choose planes."""
+CELLS = 40
+"""Cells along the longest side of a mesh, of whose corners one is used to choose planes."""
+CUTS = 9
+"""Planes that are tried along each direction, and again around the best one."""
+SPARE = 1.5
+"""How many times as many pieces are cut as asked for, before they are merged."""
+BALANCE = 0.03
+"""How much planes count that cut a piece in parts of equal size, as against those that save."""
+WORTH = 0.004
+"""Part of the hull's volume that one more piece has to save."""
+NOTHING = np.empty((0, 3, 3))
+DIGITS = 9
+"""Digits by which volumes are compared, so that equal ones are equal on all machines."""
+
+
+class Piece:
+    """A part of the surface, and the hull around it.
+
+    Attributes:
+        triangles: the part, N×3×3, in metres.
+        coarse: the same with few triangles, by which planes are chosen.
+        corners: those of the hull of `coarse`, N×3; after merging, of the part.
+        inner: places of a grid that are inside the mesh and in this part, N×3.
+        volume: of that hull.
+        split: how good the best plane is, its normal and its place along that; None before it was
+            looked for.
+    """
+
+    __slots__ = ("coarse", "corners", "inner", "split", "triangles", "volume")
+
+    def __init__(self, triangles: Floats, coarse: Floats, inner: Floats) -> None:
+        self.triangles = triangles
+        self.coarse = coarse
+        self.inner = inner
+        self.corners, self.volume = _hull(coarse.reshape(-1, 3))
+        self.split: tuple[float, Floats, float] | None = None
+
+    def parts(self) -> list[Piece]:
+        """Return the two parts that the best plane makes."""
+        assert self.split is not None
+        _, normal, place = self.split
+        fine = cut(self.triangles, normal, place)
+        coarse = cut(self.coarse, normal, place)
+        is_above = self.inner @ normal > place
+        inner = (self.inner[~is_above], self.inner[is_above])
+        return [Piece(*each) for each in zip(fine, coarse, inner, strict=True)]
+
+
+def hull_of(mesh: TriangleMesh) -> TriangleMesh:
+    """Return the convex hull of a mesh, closed, seen from outside.
+
+    Raises:
+        MeshFileError: the mesh has no triangles, or is flat.
+    """
+    points, _ = arrays_of(mesh)
+    return _hull_mesh(points)
+
+
+def decompose(mesh: TriangleMesh, count: int) -> list[TriangleMesh]:
+    """Return at most `count` convex pieces that contain the surface and the solid inside.
+
+    The greatest piece is first.
+
+    Raises:
+        MeshFileError: the mesh has no triangles, or is flat.
+    """
+    points, indices = arrays_of(mesh)
+    triangles = points[indices]
+    solid = Solid(points, indices)
+    whole = Piece(triangles, _coarse(points, indices), solid.inner)
+    if not whole.volume > 0:
+        raise MeshFileError("it is flat, so that no convex piece has a volume")
+    least = WORTH * whole.volume
+    pieces = [whole]
+    while count > 1 and len(pieces) < SPARE * count:
+        # By what is empty in them: of a ring the first plane saves nothing.
+        empty = [round((e.volume - len(e.inner) * solid.cell) / least, DIGITS) for e in pieces]
+        index = max(range(len(pieces)), key=lambda i: empty[i])
+        if empty[index] < 1 / SPARE or not _find_cut(pieces[index]):
+            break
+        pieces[index : index + 1] = pieces[index].parts()
+    for each in pieces:
+        each.corners, each.volume = _hull(each.triangles.reshape(-1, 3))
+    pieces = _merged(pieces, count, least)
+    pieces.sort(key=lambda each: -each.volume)
+    return [_hull_mesh(simplified(each.corners)) for each in pieces]
+
+
+def _coarse(points: Floats, indices: Whole) -> Floats:
+    """Return triangles of a mesh whose corners are one if they are in the same cell of a grid."""
+    if len(indices) <= FEW:
+        return points[indices]
+    cells = np.floor((points - points.min(axis=0)) * (CELLS / np.ptp(points, axis=0).max()))
+    numbers = (cells @ (1, 2 * CELLS, 4 * CELLS * CELLS)).astype(np.int64)
+    _, first, cell = np.unique(numbers, return_index=True, return_inverse=True)
+    corners = np.sort(cell[indices], axis=1)
+    corners = np.unique(corners[(np.diff(corners, axis=1) > 0).all(axis=1)], axis=0)
+    return points[first[corners]] if len(corners) else points[indices]
+
+
+def _hull(points: Floats) -> tuple[Floats, float]:
+    """Return the corners of the hull of points, and its volume; all points if they are flat."""
+    if len(points) < 4:
+        return points, 0.0
+    try:
+        found = ConvexHull(points)
+    except (QhullError, ValueError):
+        return np.unique(points, axis=0), 0.0
+    return points[found.vertices], float(found.volume)
+
+
+# --- planes -----------------------------------------------------------------------------------
+
+
+def cut(triangles: Floats, normal: Floats, place: float) -> tuple[Floats, Floats]:
+    """Return the triangles below and above the plane n·x = place, those on it cut in two."""
+    heights = triangles @ normal - place
+    is_below = (heights <= 0).all(axis=1)
+    is_above = (heights >= 0).all(axis=1) & ~is_below
+    crossing = triangles[~is_below & ~is_above]
+    across = heights[~is_below & ~is_above]
+    below, above = [triangles[is_below]], [triangles[is_above]]
+    if len(crossing):
+        # Turned so that the first corner is alone on its side.
+        side = across > 0
+        alone = np.where(side.sum(axis=1) == 1, side.argmax(axis=1), (~side).argmax(axis=1))
+        order = (alone[:, None] + np.arange(3)) % 3
+        rows = np.arange(len(crossing))[:, None]
+        a, b, c = np.moveaxis(crossing[rows, order], 1, 0)
+        ha, hb, hc = across[rows, order].T
+        ab = a + (b - a) * (ha / (ha - hb))[:, None]
+        ac = a + (c - a) * (ha / (ha - hc))[:, None]
+        tip = np.stack([a, ab, ac], axis=1)
+        rest = np.concatenate([np.stack([ab, b, c], axis=1), np.stack([ab, c, ac], axis=1)])
+        top, twice = ha > 0, np.tile(ha > 0, 2)
+        below += [tip[~top], rest[twice]]
+        above += [tip[top], rest[~twice]]
+    return np.concatenate(below), np.concatenate(above)
+
+
+def _find_cut(piece: Piece) -> bool:
+    """Find the best plane to cut a piece with; return whether there is one."""
+    best = (0.0, np.array([1.0, 0.0, 0.0]), 0.0)
+    for normal in _directions(piece):
+        heights = piece.coarse @ normal
+        low, high = float(heights.min()), float(heights.max())
+        best = max(best, _scan(piece, normal, heights, low, high), key=lambda found: found[0])
+    gain, normal, place = best
+    if gain > 0:
+        heights = piece.coarse @ normal
+        step = float(np.ptp(heights)) / (CUTS + 1)
+        fine = _scan(piece, normal, heights, place - step, place + step)
+        best = max(best, fine, key=lambda found: found[0])
+    piece.split = best
+    return gain > 0
+
+
+def _directions(piece: Piece) -> list[Floats]:
+    """Return the normals of planes that are tried: the axes, and the main axes of the surface."""
+    found: list[Floats] = list(np.eye(3))
+    a, b, c = np.moveaxis(piece.coarse, 1, 0)
+    areas = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    if areas.sum() > 0:
+        middles = (a + b + c) / 3
+        offsets = middles - np.average(middles, axis=0, weights=areas)
+        _, axes = np.linalg.eigh((offsets * areas[:, None]).T @ offsets)
+        for axis in axes.T:
+            turned = axis * (1.0 if axis[np.abs(axis).argmax()] > 0 else -1.0)
+            turned = np.round(turned, 6)  # the rest is rounding, and differs between machines
+            if np.abs(turned).max() < 0.999:
+                found.append(turned / np.linalg.norm(turned))
+    return found
+
+
+def _scan(
+    piece: Piece, normal: Floats, heights: Floats, low: float, high: float
+) -> tuple[float, Floats, float]:
+    """Return how good the best of some planes between two places is, its normal and its place.
+
+    That is the part of the volume that it saves, and a little for parts of equal size.
+    """
+    places = np.linspace(low, high, CUTS + 2)[1:-1]
+    parts = []
+    rest, rest_heights = piece.coarse, heights
+    for place in places:  # slabs from below, each as the corners of its hull
+        touched = rest_heights.min(axis=1) < place
+        slab, above = cut(rest[touched], normal, place)
+        rest = np.concatenate([rest[~touched], above])
+        rest_heights = rest @ normal
+        parts.append(_hull(slab.reshape(-1, 3))[0])
+    parts.append(_hull(rest.reshape(-1, 3))[0])
+    below, above = np.array(_growing(parts[:-1])), np.array(_growing(parts[:0:-1])[::-1])
+    worth = 1 - (below + above - BALANCE * np.minimum(below, above)) / piece.volume
+    index = int(np.round(worth, DIGITS).argmax())
+    return round(float(worth[index]), DIGITS), normal, float(places[index])
+
+
+def _growing(parts: Sequence[Floats]) -> list[float]:
+    """Return the volumes of the hulls of the first part, of the first two, and so on."""
+    volumes = []
+    corners: Floats = np.empty((0, 3))
+    for part in parts:
+        corners, volume = _hull(np.concatenate([corners, part]))
+        volumes.append(volume)
+    return volumes
+
+
+# --- merging ----------------------------------------------------------------------------------
+
+
+def _merged(pieces: list[Piece], count: int, least: float) -> list[Piece]:
+    """Return at most `count` pieces: the two are merged first whose common hull adds least volume.
+
+    They are merged further while that adds less than `least`.
+    """
+    found: dict[tuple[int, int], Piece] = {}
+    alive = dict(enumerate(pieces))
+    while len(alive) > 1:
+        names = list(alive)
+        for i, first in enumerate(names):
+            for second in names[i + 1 :]:
+                if (first, second) not in found:
+                    corners = np.concatenate([alive[first].corners, alive[second].corners])
+                    found[first, second] = Piece(NOTHING, corners, NOTHING)
+        added = {
+            pair: float(np.round((each.volume - alive[pair[0]].volume - alive[pair[1]].volume)
+                                 / least, DIGITS))
+            for pair, each in found.items()
+        }  # fmt: skip
+        pair = min(added, key=lambda each: (added[each], each))
+        is_flat = not min(alive[each].volume for each in pair) > 0
+        if len(alive) <= count and added[pair] >= 1 and not is_flat:
+            flat = [each for each in alive if not alive[each].volume > 0]
+            if not flat:
+                break
+            pair = min((each for each in added if flat[0] in each), key=lambda p: (added[p], p))
+        alive[max(alive) + 1] = found[pair]
+        for each in pair:
+            del alive[each]
+        found = {key: each for key, each in found.items() if not set(key) & set(pair)}
+    return list(alive.values())
+
+
+# --- fewer corners ----------------------------------------------------------------------------
+
+
+def simplified(corners: Floats, most: int = MOST_CORNERS) -> Floats:
+    """Return corners, at most `most`, of a polyhedron that contains a convex one.
+
+    It is cut out of a box by planes of faces, each the one that is farthest below the corner that
+    is farthest outside. So large faces stay where they are.
+    """
+    if len(corners) <= most:
+        return corners
+    try:
+        faces = np.unique(np.round(ConvexHull(corners).equations, 12), axis=0)
+        middle = (corners.min(axis=0) + corners.max(axis=0)) / 2
+        middle = (middle + corners.mean(axis=0)) / 2
+        sides = (*np.eye(3), *-np.eye(3))
+        planes = [np.append(side, -(corners @ side).max()) for side in sides]
+        found = corners
+        while True:
+            outer: Floats = HalfspaceIntersection(np.array(planes), middle).intersections
+            outer = outer[ConvexHull(outer).vertices]
+            if len(outer) > most:
+                return found
+            found = outer
+            outside = np.round(outer @ faces[:, :3].T + faces[:, 3], 12)
+            corner = int(outside.max(axis=1).argmax())
+            face = int(outside[corner].argmax())
+            if not outside[corner, face] > 0 or len(planes) > most:
+                return found
+            planes.append(faces[face])
+    except (QhullError, ValueError):  # nearly flat
+        return corners
+
+
+def _hull_mesh(points: Floats) -> TriangleMesh:
+    """Return the hull of points as a mesh, its triangles counterclockwise as seen from outside."""
+    try:
+        found = ConvexHull(points)
+    except (QhullError, ValueError):
+        raise MeshFileError("it is flat, so that its convex hull has no volume") from None
+    numbers = {int(old): new for new, old in enumerate(sorted(found.vertices))}
+    corners = points[sorted(found.vertices)]
+    triangles = []
+    for corner, equation in zip(found.simplices, found.equations, strict=True):
+        a, b, c = (int(each) for each in corner)
+        if np.dot(np.cross(points[b] - points[a], points[c] - points[a]), equation[:3]) < 0:
+            b, c = c, b
+        triangles.append((numbers[a], numbers[b], numbers[c]))
+    return TriangleMesh([(x, y, z) for x, y, z in corners.tolist()], sorted(triangles))
