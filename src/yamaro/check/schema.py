@@ -191,15 +191,18 @@ def _severity_of(name: str, context: CheckContext) -> str:
 
 def _check_attributes(element: Element, rule: Thing, owner: Element, context: CheckContext) -> None:
     attributes, sound = element.attributes, context.sound_values
-    known = rule.fields
+    known, is_row = rule.fields, context.numbers.is_row
     for name, value in attributes.items():
         attribute_rule = known.get(name)
         if attribute_rule is None:
             _check_unknown_attribute(name, element, rule, owner, context)
-        elif attribute_rule.count != TEXT and (
-            type(value) is not str or value not in sound.get(attribute_rule, ())
-        ):
-            _check_numbers(name, attribute_rule, element, owner, context)
+        elif attribute_rule.count != TEXT:
+            if type(value) is str:
+                is_sound = value in sound.get(attribute_rule, ())
+            else:
+                is_sound = attribute_rule.sign == ANY and is_row(value, attribute_rule.count)
+            if not is_sound:
+                _check_numbers(name, attribute_rule, element, owner, context)
     for name in rule.required:
         if attributes.get(name) is None:
             _report_missing_attribute(name, element, owner, context)

@@ -154,6 +154,10 @@ class NumberReader:
             return value.written
         return self.read(value if type(value) is str else format_value(value))
 
+    def is_row(self, value: object, count: int) -> bool:
+        """Return whether a value is a row of computed numbers, which need no reading."""
+        return type(value) is Numbers and self._largest == inf and len(value.words) == count
+
     def row(self, element: Element | None, attribute: str, count: int) -> tuple[float, ...]:
         """Return an attribute's numbers, or () if they are left out, faulty or not `count`."""
         value = element.attributes.get(attribute) if element is not None else None

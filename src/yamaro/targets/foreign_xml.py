@@ -232,6 +232,11 @@ def lost_blocks(robot: Robot, format: str) -> Losses:
         home = f"link '{raw.link}'" if raw.link is not None else f"joint '{raw.joint}'"
         label = home if raw.link is not None or raw.joint is not None else "the robot"
         is_typed = raw.joint is not None and any(each.name == "type" for each in raw.elements)
+        known: set[str] = set()  # what the model has of the link
+        link = robot.links.get(raw.link or "")
+        if link is not None:
+            known = {each.name for each in link.visuals} | {each.name for each in link.collisions}
+            known |= {joint.child for joint in robot.joints_below(link.name) if joint.is_fixed}
         for each in raw.elements:
             if is_typed and each.name in _OF_TYPES:
                 continue
@@ -244,7 +249,7 @@ def lost_blocks(robot: Robot, format: str) -> Losses:
                 name = attribute_text(element, "name")
                 own = f"'{name}' in {label}" if name and label != "the robot" else ""
                 label_of = own or (f"'{name}'" if name else label)
-                what = _what(robot, raw, element, title)
+                what = _what(robot, raw, element, title, known)
                 found.lose_xml(what, element, label=label_of, trace=trace)
     return found
 
@@ -274,23 +279,20 @@ def _says_nothing(element: Element, section: str) -> bool:
     return is_unlimited or element.name in _STRUCTURE or (element.name, text) == ("gravcomp", "0")
 
 
-def _what(robot: Robot, raw: RawXml, element: Element, title: str) -> str:
-    """Return what an element of a block is called in losses, in the plural."""
+def _what(robot: Robot, raw: RawXml, element: Element, title: str, known: Collection[str]) -> str:
+    """Return what an element of a block is called in losses, in the plural.
+
+    `known` are the names of what the model has of the link that the block is in.
+    """
     if element.text().strip() and not element.elements() and not element.attributes:
         if element.name == "type" and raw.joint is not None:  # a joint that is fixed in the model
             return f"{title}'s {element.text().strip()} joints"
         return f"{title}'s values of '{element.name}'"
     name = attribute_text(element, "name")
-    known: set[str] = set()
-    link = robot.links.get(raw.link or "")
-    if link is not None:
-        known = {each.name for each in link.visuals} | {each.name for each in link.collisions}
-        known |= {joint.child for joint in robot.joints_below(link.name) if joint.is_fixed}
-    if element.name == "sensor":
-        known |= robot.sensors.keys()
     is_detail = name in known or (raw.joint in robot.actuators and raw.joint is not None)
     is_detail |= element.name == "joint" and "joint1" in element.attributes
     is_detail |= element.name == "key" and name in robot.states
+    is_detail |= element.name == "sensor" and name in robot.sensors
     is_detail |= element.name == "axis" and raw.joint is not None
     word = f"{title}'s <{element.name}>"
     return f"details of {word}" if is_detail else f"{word} elements"

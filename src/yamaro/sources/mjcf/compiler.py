@@ -15,7 +15,7 @@ from ...model.pose import (
     rotation_from_quaternion,
     rotation_from_z,
 )
-from .document import text
+from ...xml.values import format_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -148,10 +148,11 @@ def completed(own: Given, base: Given) -> Given:
 
 def given_by(element: Element) -> Given:
     """Return the attributes of an element."""
+    place = element.value_span
     return {
-        name: (written, element.value_span(name))
-        for name in element.attributes
-        if (written := text(element, name)) is not None
+        name: (value if type(value) is str else format_value(value), place(name))
+        for name, value in element.attributes.items()
+        if value is not None
     }
 
 
