@@ -67,6 +67,8 @@ def build(path: str | os.PathLike[str], **options: Unpack[AllOptions]) -> Build:
         refitting: what to work out from the meshes that links collide with, as `yamaro fit` does.
         partial: leave out formats that cannot be written, which `Build.refused` then explains, and
             do not warn of losses.
+        alone: nothing is taken of the build but its document, so that a loop, which URDF has in a
+            file beside it, is an error.
 
     Raises:
         YamaroError: the input has errors; it holds them, and the warnings found before.

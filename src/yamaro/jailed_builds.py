@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from .confined import failure_of_jail
 from .policy import Policy
@@ -22,7 +22,10 @@ def outcome_of_build(build: Build, *, has_root: bool) -> Outcome:
         pieces=() if build.outputs else build.pieces,
         files=build.files,
         meshes=build.meshes,
-        made=build.finder.made_among(build.meshes),
+        made={
+            **build.finder.made_among(build.meshes),
+            **({} if build.outputs else build.beside),
+        },
         noted=build.noted,
         root=build.robot_tree() if has_root else None,
         notes=[unshared(note) for note in build.notes] if has_root else (),
@@ -43,7 +46,7 @@ def _document_of(build: Build, first: Build, *, has_root: bool) -> Document:
         build.xml(),
         root=build.root if has_root and build.format != "urdf" else None,
         losses=packed(build.losses, build.format),
-        assets=None if build.format == "urdf" else build.assets,
+        assets=build.beside,
         robot=build.robot_tree() if has_own else None,
         file_name=build.file_name,
         notes=[unshared(note) for note in build.notes] if has_own else (),
@@ -58,9 +61,18 @@ def build_of_outcome(outcome: Outcome, request: Request, policy: Policy) -> Buil
             asked for.
     """
     formats = request.options.target
+    beside: dict[str, bytes] = {}
     try:
         if outcome.made:
-            request.finder.made.adopt(outcome.made)
+            from .targets.output import FOLDER
+
+            made = {name: outcome.made[name] for name in outcome.made if name.startswith(FOLDER)}
+            beside = {name: outcome.made[name] for name in outcome.made if name not in made}
+            _check_beside("urdf", beside)
+            if made:
+                request.finder.made.adopt(made)
+    except JailError as error:
+        raise failure_of_jail(error, policy, request.source.name) from None
     except ValueError as error:
         broken = JailAnswerBroken(f"its answer is malformed: {error}")
         raise failure_of_jail(broken, policy, request.source.name) from None
@@ -85,7 +97,16 @@ def build_of_outcome(outcome: Outcome, request: Request, policy: Policy) -> Buil
         files=outcome.files,
         notes=outcome.notes,
         noted=outcome.noted,
+        assets=beside,
     )
+
+
+def _check_beside(format: str, names: Iterable[str]) -> None:
+    """Raise JailAnswerBroken unless all of these can be names of files beside a document."""
+    from .targets.table import TARGETS
+
+    if not all(map(TARGETS[format].may_hold, names)):
+        raise JailAnswerBroken("the answer holds a file of another name")
 
 
 def _first_output(outcome: Outcome, formats: Sequence[str], request: Request) -> Build:
@@ -123,8 +144,7 @@ def _build_of_document(document: Document, outcome: Outcome, request: Request) -
         stem = file_name.removesuffix(target.ending)
         if stem == file_name or not is_file_stem(stem):
             raise JailAnswerBroken("the answer does not name its file")
-    if not all(map(target.may_hold, document.assets or ())):
-        raise JailAnswerBroken("the answer holds a file of another name")
+    _check_beside(document.format, document.assets or ())
     return Build(
         lambda: outcome.meshes,
         finder=request.finder,

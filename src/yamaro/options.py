@@ -55,6 +55,7 @@ if TYPE_CHECKING:
         on_progress: Callable[[float], None] | None
         partial: bool
         refitting: Refitting | None
+        alone: bool
 
     class AllOptions(FileOptions, BuildOptions, total=False):
         """The keywords of `yamaro.build`, which says what they mean."""
@@ -91,6 +92,7 @@ DEFAULTS: dict[str, object] = {
     "on_progress": None,
     "partial": False,
     "refitting": None,
+    "alone": False,
 }
 """The keywords of `yamaro.build`, with what they are by default."""
 """The endings of files of USD that are not text, by which OpenUSD knows how to read them."""
@@ -185,6 +187,7 @@ class Options:
     on_progress: Callable[[float], None] | None
     partial: bool
     refitting: Refitting | None
+    alone: bool
 
     def __init__(self, **keywords: Unpack[AllOptions]) -> None:
         """Check and complete the keywords of `yamaro.build`.

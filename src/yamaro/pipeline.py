@@ -156,6 +156,10 @@ class Run:
             self.diagnostics = [*reporter.diagnostics, *error.diagnostics]
 
     @property
+    def _has_loops(self) -> bool:
+        return any(note.name == "robot-loop" for note in self.notes)
+
+    @property
     def depends_on_format(self) -> bool:
         """Return whether the run may give something else for another format."""
         names = self._interpreter.files.names_read()
@@ -178,6 +182,10 @@ class Run:
                 found += assumed_base(self._read_robot(), request.options.base)
         if self.is_faulty:
             raise self._failure(found)
+        if request.options.alone and format in (None, URDF) and self._has_loops:
+            from .targets.urdf.loops import lost_loops
+
+            found = [*found, *lost_loops(self._read_robot())]
         request.allow(found)
         if request.adjustment.deny(found):
             raise YamaroError(found)
@@ -212,12 +220,12 @@ class Run:
             YamaroError: it cannot be written.
         """
         request, interpreter = self._request, self._interpreter
-        finder, is_urdf, file_name = request.finder, format in (None, URDF), ""
+        finder, is_urdf = request.finder, format in (None, URDF)
+        file_name = request.file_name or ""
         if format is not None:
             from .targets.table import file_name_for
 
             name = "" if self._robot is None else self._robot.name
-            file_name = request.file_name or ""
             if request.file_name is None:
                 file_name = file_name_for(name, format, request.stem)
         output = self._written(format, file_name)
@@ -244,7 +252,7 @@ class Run:
             file_name=file_name,
             document=None if document is self.root or is_urdf else document,
             losses=() if output is None or format is None else output.losses,
-            assets=None if output is None or is_urdf else output.files,
+            assets=None if output is None else output.files,
         )
         if output is None:
             return build, ()
@@ -268,7 +276,7 @@ class Run:
     ) -> Output | None:
         """Return what the writer of a format gives, None for a tree that is written as it is."""
         request, options = self._request, self._request.options
-        if format is None and not (options.gazebo and self.notes):
+        if format is None and not (options.gazebo and self.notes) and not self._has_loops:
             return None
         if format == URDF and options.partial and self.root.name != "robot":
             return None

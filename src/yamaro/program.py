@@ -306,7 +306,7 @@ def converted(program: Program, assignments: Sequence[str], variables: Mapping[s
     found: list[Diagnostic]
     try:
         options = program.options.changed(
-            command_line=assignments, variables=variables, has_root=False
+            command_line=assignments, variables=variables, has_root=False, alone=True
         )
         xml, found = program.compile(options, lambda build: (build.xml(), build.warnings))
     except UsageError as error:

@@ -26,6 +26,7 @@ class Build(Public):
 
     Attributes:
         accepted: what was found and is accepted by comments in the files.
+        beside: what belongs beside the document, without meshes in URDF.
         files: the absolute path of every file read, in order.
         file_name: what its file is called; "" if it was built for no file.
         format: the output format: `urdf` (also for other XML), `sdf`, `mjcf`, `srdf` or `usd`.
@@ -40,7 +41,6 @@ class Build(Public):
     """
 
     __slots__ = (
-        "_assets",
         "_copies",
         "_document",
         "_find_meshes",
@@ -48,6 +48,7 @@ class Build(Public):
         "_robot",
         "_root",
         "accepted",
+        "beside",
         "file_name",
         "files",
         "finder",
@@ -61,7 +62,8 @@ class Build(Public):
         "warnings",
     )
     _internal = frozenset((
-        "encoded", "finder", "noted", "notes", "pieces", "refused", "robot_tree", "root_name",
+        "beside", "encoded", "finder", "noted", "notes", "pieces", "refused", "robot_tree",
+        "root_name",
     ))  # fmt: skip
 
     def __init__(
@@ -98,14 +100,14 @@ class Build(Public):
             file_name: what its file is called.
             document: the root of the document, if it is not the finished tree.
             losses: what the format cannot hold as it is.
-            assets: what belongs beside the document, if that is known.
-            copies: makes it of the meshes referred to, if that is not known.
+            assets: what belongs beside the document; of URDF without copies of meshes.
+            copies: makes these of the meshes referred to.
         """
         self._find_meshes = find_meshes
         self._root: Element | None = None
         self._finished = finished
         self._document = document
-        self._assets = assets
+        self.beside = assets or {}
         self._robot: Robot | None = None
         self.pieces = pieces
         self._copies = copies
@@ -131,16 +133,18 @@ class Build(Public):
         """Return what belongs beside the output, by paths relative to it.
 
         That are meshes that were made of others, such as convex pieces; for URDF with
-        `meshes="copy"` the copies of all meshes; and files such as `scene.xml`.
+        `meshes="copy"` the copies of all meshes, and with loops `robot.loops.yaml`; and files such
+        as `scene.xml`.
 
         Raises:
             OSError: a mesh cannot be read any more.
         """
-        if self._assets is not None:
-            return dict(self._assets)
-        meshes = self.meshes
-        made = self.finder.made_among(meshes)
-        return made | (self._copies.of(meshes) if self._copies else {})
+        files = dict(self.beside)
+        if self.format == "urdf":
+            meshes = self.meshes
+            files |= self.finder.made_among(meshes)
+            files |= self._copies.of(meshes) if self._copies else {}
+        return files
 
     @property
     def root(self) -> Element:

@@ -29,6 +29,7 @@ SEVERITIES = {
     "base-assumed": "warning",
     "calibration-zero": "warning",
     "capsule-needs-urdf-1.1": "warning",
+    "closed-loop": "warning",
     "comment-entry": "warning",
     "control-assumed": "warning",
     "controller-interface": "warning",

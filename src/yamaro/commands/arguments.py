@@ -282,6 +282,7 @@ def options_of(arguments: Arguments, **others: Unpack[AllOptions]) -> Options:
     """
     from ..options import Options, UsageError
 
+    is_alone = arguments.command == "build" and not arguments.options.get("output", "").strip("-")
     wanted: AllOptions = {
         "packages": read_packages(arguments),
         "command_line": arguments.assignments,
@@ -291,6 +292,7 @@ def options_of(arguments: Arguments, **others: Unpack[AllOptions]) -> Options:
         "output": output_of(arguments),
         "model": arguments.options.get("model"),
         "overlay": arguments.lists.get("overlay", ()),
+        "alone": is_alone and not arguments.has("deps"),
     }
     wanted.update(targets_of(arguments))
     wanted.update(others)

@@ -5,11 +5,10 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable
 
-from ..files.regular import read_start
 from ..output import is_input, write_files
 from ..result import Build
 from ..streams import Streams
-from ..targets.output import FOLDER, MARK, START, marked
+from ..targets.output import FOLDER, marked
 from ..targets.table import TARGETS
 from .arguments import Arguments
 from .reports import (
@@ -18,6 +17,7 @@ from .reports import (
     WrongUsage,
     deliver,
     goes_to_standard_output,
+    is_generated,
     is_written,
     near,
     quote,
@@ -194,7 +194,9 @@ def _beside(builds: list[Build], folder: str) -> dict[str, bytes]:
             if name.startswith(f"{FOLDER}/"):
                 is_written(path, data)
             elif not _may_replace(path):
-                continue
+                if name in TARGETS[build.format].beside:  # a help that the robot does without
+                    continue
+                raise FileExistsError(17, "another file has that name", path)
             files[path] = data
     return files
 
@@ -208,9 +210,7 @@ def _is_same(path: str, data: bytes) -> bool:
 
 def _may_replace(path: str) -> bool:
     """Return whether there is no file, or one that says it was generated."""
-    if not os.path.lexists(path):
-        return True
-    return os.path.isfile(path) and MARK.encode() in read_start(path, START)
+    return not os.path.lexists(path) or is_generated(path)
 
 
 def summary_of(build: Build, arguments: Arguments) -> str:

@@ -197,12 +197,15 @@ def deliver_files(files: dict[str, bytes], streams: Streams) -> int:
 def deliver_assets(build: Build, arguments: Arguments, streams: Streams) -> int:
     """Write files beside the output, such as copies of meshes; replace none that differs."""
     is_copied = arguments.options.get("meshes") == "copy"
-    if arguments.has("deps") or not (is_copied or build.finder.has_made):
+    has_meshes = is_copied or build.finder.has_made
+    is_beside = build.beside and not goes_to_standard_output(arguments)
+    if arguments.has("deps") or not (has_meshes or is_beside):
         return DONE
     output = arguments.output_path
-    if goes_to_standard_output(arguments) or (
-        os.path.exists(output) and not os.path.isfile(output)
-    ):
+    is_file = os.path.isfile(output) or not os.path.exists(output)
+    if not is_file and not has_meshes:  # a device, beside which nothing is
+        return DONE
+    if goes_to_standard_output(arguments) or not is_file:
         raise WrongUsage(
             "'--meshes copy' needs '-o' with a regular file; the copies are written beside it"
             if is_copied
@@ -212,13 +215,25 @@ def deliver_assets(build: Build, arguments: Arguments, streams: Streams) -> int:
     try:
         folder = os.path.dirname(output)
         files = {os.path.join(folder, name): data for name, data in build.assets.items()}
-        new = {path: data for path, data in files.items() if not is_written(path, data)}
+        generated = {os.path.join(folder, name) for name in build.beside}
+        new = {
+            path: data
+            for path, data in files.items()
+            if (path in generated and is_generated(path)) or not is_written(path, data)
+        }
     except OSError as error:
         name = os.fspath(error.filename or "a mesh")
         streams.say(f"yamaro: error: cannot copy {quote(name)}: {error.strerror or error}")
         return INPUT_ERROR
     refuse_leading_out(folder, new)
     return deliver_files(new, streams)
+
+
+def is_generated(path: str) -> bool:
+    """Return whether a file is there that says it was generated, and so may be replaced."""
+    from ..targets.output import MARK, START
+
+    return os.path.isfile(path) and MARK.encode() in read_start(path, START)
 
 
 def is_written(path: str, data: bytes) -> bool:

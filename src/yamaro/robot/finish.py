@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-from math import acos, dist
-
 from ..diagnostics import ERROR, Diagnostic, YamaroError, did_you_mean, failure
 from ..model.joint import LIMITED
-from ..model.pose import rotate, transposed
 from ..model.positions import HOME
 from ..model.reading import read_robot
 from ..xml.tree import Element, RobotNote
@@ -18,11 +15,10 @@ from .rigid import ends_of, name_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Iterable, Mapping, Sequence
 
     from ..fixes import Fix
-    from ..model.extras import Loop
-    from ..model.pose import Pose
+    from ..model.extras import State
     from .control import States
     from .lowering import Lowering
 
@@ -44,7 +40,10 @@ def finish_notes(lowering: Lowering, robot: Element) -> tuple[Element, list[Robo
     for note in notes:
         _check(lowering, names, note)
     if any(note.name == "robot-loop" for note in notes):
-        warn_of_open_loops(lowering, robot, notes)
+        closed = close_home(lowering, robot, notes)
+        if closed:
+            notes = [*notes, *closed]
+            states = merged_states(notes)
     controls = [note for note in notes if note.name == "ros2_control"]
     if controls:
         from .control import DRAKE, ControlWriter
@@ -184,15 +183,6 @@ def _check(lowering: Lowering, names: _LinkTree, note: RobotNote) -> None:
                         trace=each.trace,
                     )
                 )
-    if note.name == "robot-loop" and "of" not in note.attributes:
-        _error(
-            lowering,
-            "lost-in-urdf",
-            f"URDF cannot hold the loop '{note.attributes['name']}'",
-            note,
-            "name",
-            hint="--allow lost-in-urdf writes the robot without it",
-        )
 
 
 _LINK_ATTRIBUTES = frozenset(
@@ -314,65 +304,77 @@ def _error(
     )
 
 
-# --- open loops -------------------------------------------------------------------------------
+# --- loops ------------------------------------------------------------------------------------
 
 
-LARGEST_GAP = 1e-6
-"""In metres and radians: simulators close gaps of this size without a jerk."""
+def close_home(lowering: Lowering, root: Element, notes: Sequence[RobotNote]) -> list[RobotNote]:
+    """Return the state that changes `home` so that the loops of a robot are closed in it, if any.
 
-
-def warn_of_open_loops(lowering: Lowering, root: Element, notes: Sequence[RobotNote]) -> None:
-    """Warn of loops that are open at `home`, with the distance and the angle.
+    What is changed, and what is open by too much to be closed, is reported.
 
     Args:
         lowering: the run.
         root: the `<robot>`.
         notes: what it has besides URDF.
     """
+    from ..model.loops import (
+        LARGEST_GAP,
+        WIDEST,
+        WIDEST_TURN,
+        closed_near,
+        closures,
+        gap_of,
+        size_of,
+    )
+    from ..model.positions import positions_in
+
     robot = read_robot(root, notes=notes, recognizes=False)
     home = robot.states.get(HOME)
-    free = {joint.name for joint in robot.free_joints()}
-    given = home.positions if home is not None else {}
-    poses = robot.poses({name: given[name] for name in given if name in free})
-    for loop in robot.loops.values():
-        if all(name in poses for name in loop.between):
-            distance, angle = gap_of(loop, *(poses[name] for name in loop.between))
-            if distance > LARGEST_GAP or angle > LARGEST_GAP:
-                where = f"in the state '{HOME}'" if HOME in robot.states else "with all joints at 0"
-                size = [f"{distance:.3g} m"] if distance > LARGEST_GAP else []
-                size += [f"{angle:.3g} rad"] if angle > LARGEST_GAP else []
+    positions = positions_in(robot, home)
+    size = size_of(robot, positions)
+    driven = {actuator.joint for actuator in robot.actuators.values()}
+    driven.update(joint for control in robot.controls for joint in control.joints)
+    where = f"in the state '{HOME}'" if home is not None else "with all joints at 0"
+    added: list[RobotNote] = []
+    for closure in closures(robot, size):
+        poses = robot.poses(positions)
+        gaps = [gap_of(loop, *(poses[name] for name in loop.between)) for loop in closure.loops]
+        if max(map(max, gaps)) <= LARGEST_GAP:
+            continue
+        changed = None
+        if all(distance <= WIDEST * size and turn <= WIDEST_TURN for distance, turn in gaps):
+            said = home.positions if home is not None else {}
+            changed = closed_near(closure, positions, said, driven)
+        written = ""
+        if changed is not None:
+            positions.update(changed)
+            values = [f"{name}: {float(f'{value:.12g}')}" for name, value in changed.items()]
+            written = f"states: {{{HOME}: {{{', '.join(values)}}}}}"
+            added.append(_state(closure.loops[0].element, home, changed))
+        for loop, (distance, turn) in zip(closure.loops, gaps, strict=True):
+            if max(distance, turn) <= LARGEST_GAP:
+                continue
+            amounts = [f"{distance:.3g} m"] if distance > LARGEST_GAP else []
+            amounts += [f"{turn:.3g} rad"] if turn > LARGEST_GAP else []
+            open_by = f"the loop '{loop.name}' is open by {' and '.join(amounts)} {where}"
+            if changed is None:
+                hint = f"give the positions in which it is closed: states: {{{HOME}: {{…}}}}"
+                lowering.report("open-loop", open_by, loop.span, hint=hint, trace=loop.trace)
+            else:
                 lowering.report(
-                    "open-loop",
-                    f"the loop '{loop.name}' is open by {' and '.join(size)} {where}",
+                    "closed-loop",
+                    f"{open_by}, and is closed there",
                     loop.span,
-                    hint=f"give the positions in which it is closed: states: {{{HOME}: {{…}}}}",
+                    hint=f"to say so, write {written}",
                     trace=loop.trace,
                 )
+    return added
 
 
-def gap_of(loop: Loop, one: Pose, other: Pose) -> tuple[float, float]:
-    """Return how far two frames are from where a loop holds them: in metres and in radians.
-
-    A ball leaves all angles free; a revolute one that about its axis, which both frames have.
-
-    Args:
-        loop: the loop.
-        one: T_root_frame of its first frame.
-        other: T_root_frame of its second frame.
-    """
-    distance = dist(one.position, other.position)
-    if loop.type == "ball":
-        return distance, 0.0
-    if loop.type == "revolute" and loop.axis is not None:
-        first, second = rotate(one.rotation, loop.axis), rotate(other.rotation, loop.axis)
-        length = sum(x * x for x in loop.axis)
-        cosine = sum(a * b for a, b in zip(first, second, strict=True)) / length if length else 1.0
-        return distance, _angle(cosine)
-    turned = [rotate(transposed(one.rotation), column) for column in transposed(other.rotation)]
-    trace = sum(turned[index][index] for index in range(3))
-    return distance, _angle((trace - 1) / 2)
-
-
-def _angle(cosine: float) -> float:
-    """Return the angle of a cosine; acos is exact to 1e-8 only, and 0 below that."""
-    return acos(max(-1.0, min(1.0, cosine))) if cosine < 1 - 1e-12 else 0.0
+def _state(owner: Element, home: State | None, positions: Mapping[str, float]) -> RobotNote:
+    """Return the state `home` with these positions, at their places where it has them."""
+    made = []
+    for name, value in positions.items():
+        span = home.span_of(name) if home is not None and name in home.positions else owner.span
+        made.append(RobotNote("joint", span, {"joint": name, "value": repr(value)}))
+    return RobotNote("state", owner.span, {"name": HOME}, [*made], trace=owner.trace)

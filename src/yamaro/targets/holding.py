@@ -222,7 +222,7 @@ ROWS: dict[str, tuple[Cell, Cell, Cell, Cell]] = {
     "range.range": (_SENSORS, "min", "cutoff", "maxRange"),
     "range.fov": (_SENSORS, _CONES, _CONES, _CONES),
     **{
-        f"loop.{name}": (_lost("loops"), _partly(APPROXIMATED, "loops"), "equality", "joint")
+        f"loop.{name}": (*(_partly(APPROXIMATED, "loops"),) * 2, "equality", "joint")
         for name in ("name", "type", "between", "axis")
     },
     **{f"group.{name}": (_GROUPS,) * 4 for name in GROUP.fields},

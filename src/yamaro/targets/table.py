@@ -41,8 +41,8 @@ class Target:
         run: the format for which the file is run: another one that it belongs to, or its own.
         versions: those that can be asked for, the default first; none if they are not listed.
         version_option: the option of a build that asks for one, or "".
-        beside: the names of files beside the document that are not in `FOLDER`; in a folder, those
-            that begin with a dot.
+        beside: the names of files beside the document that are not in `FOLDER`, `*` for that of the
+            document; in a folder, those that begin with a dot.
         library: what it needs that is not always installed.
         extra: the extra that has it, by default the one of its name.
         endings: those of file names that promise this format.
@@ -107,7 +107,10 @@ class Target:
         """Return whether a file beside a document, or in the folder of this format, can be it."""
         if self.is_folder:
             return name in self.beside or all(map(is_file_stem, name.split("/")))
-        return name in self.beside or name.startswith(f"{FOLDER}/")
+        return name.startswith(f"{FOLDER}/") or any(
+            name == each if each[0] != "*" else is_file_stem(name) and name.endswith(each[1:])
+            for each in self.beside
+        )
 
     def missing(self, span: Span) -> YamaroError:
         """Return the error that the library it needs is not installed."""
@@ -128,6 +131,7 @@ TARGETS = {
             ".urdf",
             is_whole=True,
             has_places=True,
+            beside=("*.loops.yaml",),
             own_codes=("capsule-needs-urdf-1.1", "lost-in-urdf", "needs-version"),
         ),
         Target(

@@ -23,14 +23,22 @@ GAZEBO_HINT = "--gazebo also writes it for Gazebo"
 def write(robot: Robot, wanted: Wanted) -> Output:
     """Return a robot as URDF, with meshes named as they are in the source.
 
-    Loops that YAML says are not among the losses, since lowering refuses them. What the robot says
-    to Gazebo in elements of its own is written already, and so is not to be read.
+    Loops are written beside it. What the robot says to Gazebo in elements of its own is written
+    already, and so is not to be read.
     """
     reporter, root, losses = Reporter(), robot.element, Losses()
+    files: dict[str, bytes] = {}
+    loops = None
+    if robot.loops:
+        from .loops import Loops, name_beside
+
+        loops = Loops(robot)
+        root = loops.in_tree(root)
+        files = {name_beside(wanted.file_name, robot): loops.file()}
     if wanted.has_gazebo:
         losses = cones(robot)
         root = with_gazebo(root, robot, reporter)
-    output = Output(root, losses, warnings=reporter.diagnostics)
+    output = Output(root, losses, files, warnings=reporter.diagnostics)
     if not wanted.is_named:
         return output
     if not wanted.has_gazebo:
@@ -52,9 +60,8 @@ def write(robot: Robot, wanted: Wanted) -> Output:
             held += GAINS
         losses += lost_values(actuator, "urdf", but=held)
     losses += lost_sections(robot, states=True)
-    for loop in robot.loops.values():
-        if loop.written("of") is not None:  # of others lowering says it
-            losses.lose("loops", loop)
+    for loop in loops.open if loops is not None else ():
+        losses.approximate("loops", loop, how="a file beside the tree")
     if robot.base is not None and robot.base.type == "free":
         losses.lose("free bases", robot.base, label=f"robot '{robot.name}'")
     return output
