@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from math import dist, hypot, pi
+from pathlib import Path
 from random import Random
 
 import pytest
 
 from tests.fitting.solids import noisy
 from yamaro.fitting.fit import Placed, Wanted, fitted, packed, unpacked
+from yamaro.meshes.triangles import read_mesh
 from yamaro.model.pose import Pose, rotate, rotation_from_rpy, transposed
 
+ANGLE = Path(__file__).parents[1] / "cases" / "fitting" / "_meshes" / "angle.obj"
 KINDS = ("box", "cylinder", "sphere", "capsule")
 NOISE = 0.01
 
@@ -75,6 +78,21 @@ def test_what_covers_contains_every_corner_as_it_is_written(kind: str) -> None:
         "best": pi * 0.07**2 * 0.31,
     }
     assert piece.shape.volume() < 1.35 * around[kind]  # the corners are off by 3.5 mm
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_shape_reaches_no_farther_along_its_axes_than_the_mesh(kind: str) -> None:
+    mesh = read_mesh(str(ANGLE))  # along its diagonal nothing says where a shape ends
+    (piece,) = fitted(mesh, Wanted("fit", kind=kind)).pieces
+    assert isinstance(piece, Placed)
+    if kind == "sphere":
+        assert piece.shape.size[0] <= hypot(0.4, 0.4, 0.1) / 2
+        return
+    local = Pose(rotation_from_rpy(*piece.rpy), piece.xyz).inverse()
+    reach = [abs(local.apply(vertex)[2]) for vertex in mesh.vertices]
+    size = piece.shape.size
+    half = size[2] / 2 if kind == "box" else size[1] / 2 + (size[0] if kind == "capsule" else 0)
+    assert half <= max(reach) + 1e-5
 
 
 def test_a_shape_is_the_same_from_the_cache_and_along_the_axes_of_its_mesh() -> None:

@@ -814,7 +814,7 @@ def test_shapes(geometry, scale, element, attributes):
         ("geometry: box\nscale: 1 2", "wrong-count", "1 2", "x y z"),
         ("geometry: sphere\nscale: 1 2", "wrong-count", "1 2", "radius"),
         ("geometry: cylinder\nscale: 1 2 3", "wrong-count", "1 2 3", "radius length"),
-        ("geometry: a.stl\nscale: 0.001", "wrong-count", "0.001", "0.001 0.001 0.001"),
+        ("geometry: a.stl\nscale: 2 2", "wrong-count", "2 2", "a factor for x, y and z"),
         ("geometry: {box/size=1 2 3: }", "geometry-as-xml", "box/size=1 2 3", "scale: 1 2 3"),
         (
             "geometry:\n  cylinder/radius=1, length=2:",

@@ -248,15 +248,15 @@ _STEP = 1e-7
 def _least_squares(body: _Body, kind: str) -> tuple[float, Guess]:
     """Return the root of the mean square of the distances, and the shape for which it is least."""
     few = body.few
-    begun = [_improved(kind, guess, few, 4) for guess in _beginnings(body, kind)]
+    begun = [_improved(kind, guess, few, 4, body.outer) for guess in _beginnings(body, kind)]
     begun.sort(key=_error_of)
-    better = [_improved(kind, guess, few, 30) for _, guess in begun[:5]]
+    better = [_improved(kind, guess, few, 30, body.outer) for _, guess in begun[:5]]
     better.sort(key=_error_of)
-    found = [_improved(kind, guess, body.samples, 60) for _, guess in better[:2]]
+    found = [_improved(kind, guess, body.samples, 60, body.outer) for _, guess in better[:2]]
     error, guess = min(found, key=_error_of)
     if kind != "sphere":
         straight = _straightened(kind, guess)
-        plain, along = _improved(kind, straight, body.samples, 60, turns=False)
+        plain, along = _improved(kind, straight, body.samples, 60, body.outer, turns=False)
         if plain <= error * (1 + PREFERS_AXES) + 1e-9:
             error, guess = plain, along
     return error, guess
@@ -299,8 +299,39 @@ def _frame_along(axis: Floats) -> Floats:
     return np.array(rotation_from_z((x, y, max(-1.0, min(1.0, z)))))
 
 
+def _bounded(kind: str, guess: Guess, outer: Floats) -> Guess:
+    """Return a shape that reaches no farther along its axes than the mesh does.
+
+    The points of a mesh do not say where a shape ends that they have no end of, such as a capsule
+    along the diagonal of an angle: without a bound it may become any length.
+    """
+    local = outer @ guess.rotation
+    low, high = local.min(axis=0), local.max(axis=0)
+    ranges = (high - low) / 2
+    middle = guess.center @ guess.rotation
+    halves = guess.halves.copy()
+    if kind == "box":
+        halves = np.minimum(halves, ranges)
+        reach = halves
+    else:
+        halves[0] = min(halves[0], float(np.sqrt((ranges[:2] ** 2).sum())))
+        reach = np.array([0.0, 0.0, 0.0])
+        if kind != "sphere":
+            cap = min(halves[0], ranges[2]) if kind == "capsule" else 0.0
+            halves[1] = min(halves[1], max(ranges[2] - cap, 0.0))
+            reach[2] = halves[1] + cap
+    middle = np.clip(middle, low + np.minimum(reach, ranges), high - np.minimum(reach, ranges))
+    return Guess(guess.rotation @ middle, guess.rotation, halves)
+
+
 def _improved(
-    kind: str, guess: Guess, points: Floats, steps: int, *, turns: bool = True
+    kind: str,
+    guess: Guess,
+    points: Floats,
+    steps: int,
+    outer: Floats,
+    *,
+    turns: bool = True,
 ) -> tuple[float, Guess]:
     """Return the error and the shape after some steps of a search for the least squares.
 
@@ -324,7 +355,7 @@ def _improved(
             damped = square + damping * np.diag(np.maximum(np.diag(square), 1e-9))
             step = np.zeros(width)
             step[free] = -np.linalg.solve(damped, toward)
-            changed = guess.changed(step)
+            changed = _bounded(kind, guess.changed(step), outer)
             tried = distances(kind, changed, points)
             least = float((tried * tried).sum())
             if least < error:
