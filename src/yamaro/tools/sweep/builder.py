@@ -18,8 +18,12 @@ from ...options import Options
 from ...output import write_file
 from ...program import Program
 from ...result import Build
-from .plan import USD, Plan, Space
+from .plan import MJCF, USD, Plan, Space
 from .table import ENDED, FAULT, OK, OUT_OF_MEMORY, REJECTED, TOPOLOGY, Row, first_error, parts_of
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from .batch import Comparison
 
 
 class Variant:
@@ -84,7 +88,15 @@ class Builder:
         self._program = Program(plan.robot, options)
         self._program.parse()
         self._known_assets: set[str] = set()
+        self._comparison: Comparison | None = None
         self.files: dict[str, str] = {}
+        if plan.is_batch:
+            from .batch import Comparison
+
+            self._comparison = Comparison()
+            if plan.first is not None:
+                (arguments,) = self._space.variants(plan.first, plan.first + 1)
+                self.row(plan.first, arguments)
 
     def rows(self, start: int, stop: int) -> Iterator[Row]:
         """Build variants from `start` up to `stop`; yield a row for each."""
@@ -146,6 +158,9 @@ class Builder:
         """Note what there is to know of a build; raise what the evaluation raises."""
         plan = self._plan
         outputs = build.outputs or {"urdf": build}
+        if self._comparison is not None:
+            self._comparison.note(row, outputs[MJCF])
+            return
         for format in plan.hashed():
             text = outputs[format].xml().encode()
             row.hashes[format] = sha256(text).hexdigest()

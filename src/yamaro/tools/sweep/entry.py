@@ -94,6 +94,14 @@ COMMAND = Command(
             value="FILE.py:FUNCTION",
             wants="FILE.py:FUNCTION",
         ),
+        Option(
+            "batch",
+            "write one MJCF and arrays of the fields of MuJoCo's model that differ, for MJX, "
+            "MuJoCo Warp and Newton, in place of a table",
+            value="FILE.npz",
+            wants="a file, such as batch.npz",
+            completes="files",
+        ),
         Option("models", "keep the documents too, in tar files"),
         Option(
             "engine",
@@ -173,6 +181,8 @@ def _sweep(arguments: Arguments, streams: Streams) -> int:
     from .running import engine_of
     from .table import Summary
 
+    if arguments.has("batch"):
+        return _batch(arguments, streams)
     if goes_to_standard_output(arguments):
         raise WrongUsage("'yamaro sweep' needs a folder for its table: -o runs/")
     open_engine = engine_of(arguments.options.get("engine"))
@@ -204,6 +214,26 @@ def _sweep(arguments: Arguments, streams: Streams) -> int:
             took = f"{status.built:,} in {_duration(status.seconds)}, {status.rate:,.1f}/s"
         streams.say("\n".join([f"{quote(folder)}: {took}", *summary.lines()]))
     return DONE if summary.counts["ok"] else INPUT_ERROR
+
+
+def _batch(arguments: Arguments, streams: Streams) -> int:
+    from .batch import ENDING, write_batch
+
+    path = arguments.options["batch"]
+    if not path.endswith(ENDING):
+        raise WrongUsage(f"'--batch' writes arrays of NumPy: name the file as in batch{ENDING}")
+    for name in ("output", "to", "metrics", "evaluate", "models", "resume", "metric"):
+        if arguments.has(name):
+            raise WrongUsage(f"'--batch' and '--{name}' do not go together")
+    plan = _plan(arguments)
+    shown = _Shown(streams)
+    try:
+        batch = write_batch(plan, path, arguments.options.get("engine"), shown.show)
+    finally:
+        shown.clear()
+    if not streams.quiet:
+        streams.say("\n".join([f"{quote(path)}: {_duration(batch.seconds)}", *batch.lines()]))
+    return DONE
 
 
 class _Shown:

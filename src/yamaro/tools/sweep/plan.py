@@ -233,7 +233,7 @@ def _only_computing(error: YamaroError) -> YamaroError:
 FORMS = {kind.__name__.lower(): kind for kind in (Choices, Steps, Uniform, Normal)}
 SECONDS = 60.0
 """How long a variant may take by default."""
-USD = "usd"
+USD, MJCF = "usd", "mjcf"
 UNKNOWN = ""
 """The version of a package that is not installed."""
 
@@ -252,6 +252,8 @@ class Plan:
         formats: the output formats whose documents the sweep is about.
         evaluation: evaluates variants, or None.
         models: whether the models are kept.
+        is_batch: whether MuJoCo compiles each variant for a batch.
+        first: the variant with which others of a batch are compared; None if it is to be found.
         options: those of the builds, except for what is passed, the formats and the output.
         seconds: how long a variant may take.
         memory: bytes of data that the process of a worker may have.
@@ -274,6 +276,8 @@ class Plan:
         self.formats: list[str] = []
         self.evaluation: Evaluation | None = None
         self.models = False
+        self.is_batch = False
+        self.first: int | None = None
         self.seconds = SECONDS
         self.memory = 0
         self.chunk = 0

@@ -43,11 +43,13 @@ class Row:
         documents: the documents and what belongs to each, by the ends of file names; if the models
             are kept.
         assets: the meshes that they share, by path.
+        fields: of a batch, the arrays of MuJoCo's model that differ from the first variant's.
+        unlike: of a batch, the name of a field that differs but cannot, or "".
     """
 
     __slots__ = (
-        "arguments", "assets", "code", "documents", "hashes", "index", "message", "metrics",
-        "place", "status", "topology",
+        "arguments", "assets", "code", "documents", "fields", "hashes", "index", "message",
+        "metrics", "place", "status", "topology", "unlike",
     )  # fmt: skip
 
     def __init__(self, index: int, arguments: Mapping[str, object], status: str = OK) -> None:
@@ -62,6 +64,8 @@ class Row:
         self.hashes: dict[str, str] = {}
         self.documents: dict[str, bytes] = {}
         self.assets: dict[str, bytes] = {}
+        self.fields: dict[str, Any] = {}
+        self.unlike = ""
 
     def fail(self, code: str, message: str, place: str = "") -> Row:
         """Note why the variant failed, and return the row."""
