@@ -5,8 +5,8 @@
 The time is that of `yamaro sweep --batch` with two processes, from its start to its end. Of some
 variants, MuJoCo compiles the MJCF alone, and the greatest difference of any field is shown. WARP
 and MJX are Pythons with `mujoco_warp` and `mujoco-mjx`: the loaders of docs/sweeps.md are run there
-on the processor, and positions after some steps are compared with those of MuJoCo, which computes
-in doubles where they have floats.
+on the processor, and positions after some steps from `home` are compared with those of MuJoCo,
+which computes in doubles where they have floats.
 """
 
 from __future__ import annotations
@@ -32,12 +32,15 @@ AXES = {"thigh_length": "0.15..0.3", "calf_length": "0.15..0.3"}
 STEPS = 20
 ENDS = {
     "MuJoCo Warp": """
-data.qpos.assign(batch["qpos0"])
+data.qpos.assign(batch["key_qpos"][:, 0])
+data.ctrl.assign(batch["key_ctrl"][:, 0])
 for _ in range({steps}):
     mjw.step(model, data)
 np.save("found.npy", data.qpos.numpy())
 """,
     "MJX": """
+home, ctrl = (jax.numpy.array(batch[name][:, 0]) for name in ("key_qpos", "key_ctrl"))
+data = data.replace(qpos=home, ctrl=ctrl)
 for _ in range({steps}):
     data = step(models, data)
 np.save("found.npy", np.asarray(data.qpos))
@@ -97,6 +100,7 @@ def loaded(name: str, python: str, path: Path, batch: Any) -> float:
         if name == "MJX":
             model.geom_contype[:] = model.geom_conaffinity[:] = 0
         data = mujoco.MjData(model)
+        mujoco.mj_resetDataKeyframe(model, data, 0)
         mujoco.mj_step(model, data, STEPS)
         worst = max(worst, float(np.abs(data.qpos - found[row]).max()))
     return worst
