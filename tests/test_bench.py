@@ -17,12 +17,13 @@ BENCH = Path(__file__).parents[1] / "bench"
 OTHERS = {
     *("controllers", "moveit"),
     *("attached", "changes", "engines", "fresh", "interface", "losses", "mass", "measuring"),
-    *("isaaclab_articulations", "mirrored", "mjcf", "mjcf_in", "mjlab_entities"),
+    *("guide_tokens", "isaaclab_articulations", "mirrored", "mjcf", "mjcf_in", "mjlab_entities"),
     *(
         "killed",
         "newton_orders",
         "noise",
         "others",
+        "overlays",
         "play",
         "reading",
         "robots",

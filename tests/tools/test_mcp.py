@@ -97,7 +97,7 @@ def test_ten_tasks_over_standard_streams(folder: Path) -> None:
         ("why", {**robot, "address": "arm_joint/limit@upper"}, True, "arm.yaml:8:"),
         ("args", robot, True, "reach:="),
         ("tree", robot, True, "arm_link"),
-        ("migrate", {"file": "arm.urdf"}, True, "\n- part:"),
+        ("migrate", {"file": "arm.urdf"}, True, "part"),
     ]
     parameters = mcp.StdioServerParameters(
         command=sys.executable, args=["-m", "yamaro", "mcp", str(folder)]
