@@ -203,7 +203,8 @@ def judge_losses(path: str, _: str) -> Verdict:
         if "default" in around or "replicate" in around or not _is_lost(each, around, names):
             continue
         sections = [above for above in each.iterancestors() if above.tag in REPORTED]
-        its_own = {line for inner in (*each.iter(), *sections) for line in _lines(inner)}
+        whole = (*each.iter(), *sections, *_together(each))
+        its_own = {line for inner in whole for line in _lines(inner)}
         if lines.isdisjoint(its_own):
             silent.append(f"<{each.tag}> at line {each.sourceline}")
         else:
@@ -223,6 +224,20 @@ def _is_lost(element: Any, around: list[str], names: set[tuple[str, str | None]]
     if len(around) != 2 or around[0] not in REPORTED:
         return False
     return around[0] != "equality" or element.tag != "joint"  # which is a mimic joint
+
+
+def _together(element: Any) -> list[Any]:
+    """Return the elements that are one thing of the model with another, reported at one of them.
+
+    An actuator has the armature of its joint; an accelerometer and a gyro at a site are one sensor.
+    """
+    name, site = element.get("name"), element.get("site")
+    root = element.getroottree().getroot()
+    if element.tag == "joint" and name is not None and "armature" in element.attrib:
+        return [each for each in root.iterfind("actuator/*") if each.get("joint") == name]
+    if site is not None and element.getparent().tag == "sensor":
+        return [each for each in root.iterfind("sensor/*") if each.get("site") == site]
+    return []
 
 
 def _lines(element: Any) -> range:
