@@ -203,6 +203,7 @@ MJCF = """\
       <joint name="j" type="hinge" axis="0 0 1"/>
       <inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/>
       <geom name="shell" type="mesh" mesh="arm" friction="0.3 0.005 0.0001"/>
+      <geom name="seen" type="mesh" mesh="arm" contype="0" conaffinity="0" pos="0 0 1"/>
     </body>
   </worldbody>
   <actuator><motor name="m" joint="j" gear="3"/></actuator>

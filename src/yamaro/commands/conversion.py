@@ -168,7 +168,10 @@ def _deliver_build(
             return INPUT_ERROR
         if status != DONE:
             return status
-    if arguments.has("to") and arguments.command == "build" and not arguments.has("deps"):
+    command = arguments.known_command
+    has_own_format = command.writes_document and command.targets is not None and build.outputs
+    is_named = arguments.has("to") and arguments.command == "build"
+    if (is_named or has_own_format) and not arguments.has("deps"):
         from .formats import deliver_formats
 
         return deliver_formats(build, chunks, arguments, streams)
