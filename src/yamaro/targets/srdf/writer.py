@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ...diagnostics import Diagnostic, YamaroError
 from ...model.kinematics import WORLD
+from ...model.shapes import Sphere
 from ..elements import element
 from ..groups import joints_of
 from ..losses import Losses
@@ -58,6 +59,7 @@ def write(robot: Robot, wanted: Wanted) -> Output:
             "child_link": roots[0].name,
         }
         parts.append(element("virtual_joint", attributes))
+    parts += _spheres(robot)
     for pair in disabled_pairs(robot, wanted):
         attributes = {"link1": pair.first, "link2": pair.second, "reason": pair.reason}
         owner = robot.links[pair.first]
@@ -84,6 +86,24 @@ def _refuse_without_collisions(robot: Robot) -> None:
         trace=first.trace,
     )
     raise YamaroError([error])
+
+
+def _spheres(robot: Robot) -> list[Element]:
+    """Return the spheres of each link whose collisions were asked for as spheres."""
+    found = []
+    for fit in robot.fits:
+        link = robot.links.get(fit.link)
+        if fit.word != "spheres" or fit.section != "collision" or link is None:
+            continue
+        made = link.collisions[fit.index : fit.index + fit.count]
+        spheres = [
+            element("sphere", {"center": each.pose.position, "radius": each.shape.radius})
+            for each in made
+            if isinstance(each.shape, Sphere)
+        ]
+        attributes: Attributes = {"link": link.name}
+        found.append(element("link_sphere_approximation", attributes, children=spheres, owner=link))
+    return found
 
 
 # --- groups -----------------------------------------------------------------------------------
