@@ -211,6 +211,15 @@ TARGETS = {
             library="pinocchio and coal, which find the links that never touch",
             extra="srdf",
         ),
+        Target(
+            "curobo",
+            "cuRobo's configuration",
+            "_curobo.yml",
+            comment="# {}",
+            run="urdf",
+            library="pinocchio and coal, which find the links that never touch",
+            extra="srdf",
+        ),
     )
 }
 """The output formats by their names."""

@@ -63,11 +63,11 @@ def joint_limits(robot: Robot) -> Document:
     for joint in planned_joints(robot):
         own: Document = {}
         for name in ("velocity", "acceleration", "jerk"):
-            most = _bound(joint.limit, name)
+            most = bound_of(joint.limit, name)
             own[f"has_{name}_limits"] = most is not None
             if most is not None:
                 own[f"max_{name}"] = most
-        most = _bound(joint.limit, "deceleration")
+        most = bound_of(joint.limit, "deceleration")
         if most is not None:  # Pilz takes it as a negative number
             own |= {"has_deceleration_limits": True, "max_deceleration": -most}
         limits[joint.name] = own
@@ -78,7 +78,8 @@ def joint_limits(robot: Robot) -> Document:
     }
 
 
-def _bound(limit: Limit | None, name: str) -> float | None:
+def bound_of(limit: Limit | None, name: str) -> float | None:
+    """Return the largest value that a limit allows, None if it sets none."""
     value = limit.number(name) if limit is not None else None
     return value if value is not None and 0 < value < UNLIMITED else None
 
@@ -87,7 +88,9 @@ def lacking_limits(robot: Robot) -> list[Diagnostic]:
     """Return a warning of the joints for whose trajectories MoveIt cannot compute times."""
     found = []
     for joint in planned_joints(robot):
-        names = [each for each in ("velocity", "acceleration") if _bound(joint.limit, each) is None]
+        names = [
+            each for each in ("velocity", "acceleration") if bound_of(joint.limit, each) is None
+        ]
         if names and joint.mimic is None:
             found.append((joint, " and ".join(names)))
     if not found:

@@ -36,13 +36,22 @@ class Pair:
         self.reason = reason
 
 
-def disabled_pairs(robot: Robot, wanted: Wanted) -> list[Pair]:
+def disabled_pairs(
+    robot: Robot, wanted: Wanted, *, links: Iterable[str] | None = None
+) -> list[Pair]:
     """Return the pairs that need no check, in the order of the alphabet.
+
+    Args:
+        robot: the robot.
+        wanted: finds meshes, and takes how far the work is.
+        links: those of the pairs, by default all with shapes that collide.
 
     Raises:
         YamaroError: what samples is not installed, or a mesh cannot be read.
     """
-    solid = [name for name, link in robot.links.items() if link.collisions]
+    if links is None:
+        links = (name for name, link in robot.links.items() if link.collisions)
+    solid = [*links]
     settings = robot.collision_settings
     kept = {_sorted(*pair) for pair in settings.keep} if settings is not None else set()
     found = dict.fromkeys(adjacent_pairs(robot, set(solid)), ADJACENT)
