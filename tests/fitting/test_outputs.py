@@ -9,6 +9,7 @@ import trimesh
 from trimesh import creation
 
 import yamaro
+from yamaro.commands.main import main
 
 SOURCE = """
 robot: r
@@ -34,6 +35,31 @@ def test_pieces_are_files_beside_the_robot_trusted_or_in_safe_mode(tmp_path: Pat
         assert trimesh.load(tmp_path / "piece.stl").is_convex, name
     assert yamaro.build(path, policy=yamaro.Policy("safe")).assets == build.assets
     assert yamaro.build(path, target="sdf", base="fixed").assets == build.assets
+
+
+@pytest.mark.parametrize("words", ["decompose: 2", "fit: hull"])
+@pytest.mark.parametrize("target", ["mjcf", "usd"])
+def test_convex_pieces_are_not_approximated_by_their_hulls(
+    words: str, target: str, tmp_path: Path
+) -> None:
+    if target == "usd":
+        pytest.importorskip("pxr")
+    path = written(tmp_path, words)
+    told = [each.what for each in yamaro.build(path, target=target, base="fixed").losses]
+    assert "meshes of collisions" not in told
+    (tmp_path / "plain.yaml").write_text(SOURCE % "")
+    plain = yamaro.build(str(tmp_path / "plain.yaml"), target=target, base="fixed").losses
+    assert "meshes of collisions" in [each.what for each in plain]
+
+
+def test_commands_that_show_a_robot_need_no_file_for_its_pieces(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = written(tmp_path, "decompose: 2")
+    assert main(["why", path, "base_link/collision"]) == 0
+    assert main(["tree", path]) == 0
+    assert main([path]) == 2
+    assert "made of others" in capsys.readouterr().err
 
 
 def test_srdf_has_the_spheres_that_the_urdf_has(tmp_path: Path) -> None:

@@ -365,6 +365,15 @@ def test_a_file_of_the_users_is_not_replaced(
         assert not (tmp_path / "robot.urdf").exists()
 
 
+def test_a_picture_has_nothing_beside_it(tmp_path: Path) -> None:
+    pytest.importorskip("vtk")
+    source = tmp_path / "robot.yaml"
+    source.write_text(ANKLE)
+    words = ["picture", str(source), "-q", "--size", "60x40", "-o", str(tmp_path / "a.png")]
+    assert main(words) == 0
+    assert {each.name for each in tmp_path.iterdir()} == {"robot.yaml", "a.png"}
+
+
 @pytest.mark.parametrize("mode", ["--safe", "--jail"])
 def test_a_confined_build_has_the_file_too(mode: str, tmp_path: Path) -> None:
     source = tmp_path / "robot.yaml"

@@ -55,7 +55,7 @@ if TYPE_CHECKING:
         Surface,
     )
     from .joint import Joint
-    from .link import Link, Material, Visual
+    from .link import Collision, Link, Material, Visual
     from .pose import Pose, Vector
     from .positions import GivenPositions
 
@@ -63,6 +63,8 @@ if TYPE_CHECKING:
     Overlays = Overlay | Sequence[Overlay] | None
     Named = TypeVar("Named", Link, Joint)
 
+CONVEX = ("hull", "pieces")
+"""What is made of a mesh and is convex."""
 NAMING = "naming"
 """The name of a note that says what the joints and links of parts are called."""
 
@@ -356,6 +358,19 @@ class Robot(Written):
     def fits(self) -> tuple[Fitted, ...]:
         """Return the shapes that were worked out from meshes, in order."""
         return self._more().fits
+
+    def is_convex(self, link: Link, collision: Collision) -> bool:
+        """Return whether a collision is a mesh that was made as a convex piece of another one."""
+        return any(
+            fitted.link == link.name
+            and fitted.section == "collision"
+            and fitted.made in CONVEX
+            and any(
+                each is collision
+                for each in link.collisions[fitted.index : fitted.index + fitted.count]
+            )
+            for fitted in self.fits
+        )
 
     @property
     def surfaces(self) -> tuple[Surface, ...]:

@@ -92,8 +92,9 @@ def _collision(
         part = looks.collision_mesh(link, collision, shape)
         if part is not None:
             points = looks.corners_of(shape)
-            what, how = "meshes of collisions", "their convex hulls"
-            writing.losses.approximate(what, link, part=collision, how=how)
+            if not writing.robot.is_convex(link, collision):
+                what, how = "meshes of collisions", "their convex hulls"
+                writing.losses.approximate(what, link, part=collision, how=how)
     else:
         part = _sizes(writing, link, collision)
     if part is None:

@@ -210,7 +210,7 @@ class ShapeWriter:
             surfaces = self._contents.surfaces_of(path, is_kept=True)
         except (MeshFileError, MissingLibraryError) as error:
             raise failure("bad-mesh", f"'{shape.filename}': {error}", span) from None
-        if isinstance(item, Collision):
+        if isinstance(item, Collision) and not self._robot.is_convex(link, item):
             what, how = "meshes of collisions", "their convex hulls"
             self.losses.approximate(what, link, part=item, how=how)
         return surfaces
