@@ -14,6 +14,7 @@ from trimesh import creation
 
 from yamaro.fitting.lighter import FARTHEST, lighter
 from yamaro.fitting.pieces import MOST_CORNERS, decompose, hull_of
+from yamaro.fitting.quality import quality_of
 from yamaro.fitting.spheres import spheres_of
 from yamaro.meshes.formats import MeshFileError
 from yamaro.meshes.triangles import TriangleMesh
@@ -181,3 +182,23 @@ def test_shapes_are_the_same_in_each_process() -> None:
         for env in ({"OMP_NUM_THREADS": "1"}, {"OMP_NUM_THREADS": "2", "PYTHONHASHSEED": "5"})
     ]
     assert runs[0] == runs[1] != ""
+
+
+def test_a_convex_mesh_is_one_piece() -> None:
+    mesh = mesh_of(creation.capsule(height=0.3, radius=0.05))
+    (piece,) = decompose(mesh, 8)
+    _, excess = quality_of(mesh, [piece])
+    assert excess is not None and 0 <= excess < 0.1
+
+
+def test_the_quality_of_pieces_that_share_faces_is_that_of_all_together() -> None:
+    """Two halves of a box are the box: no distance, no excess, whatever is between them."""
+    whole = mesh_of(creation.box((1, 1, 1)))
+    halves = []
+    for side in (-0.25, 0.25):
+        half = creation.box((0.5, 1, 1))
+        half.apply_translation((side, 0, 0))
+        halves.append(mesh_of(half))
+    distance, excess = quality_of(whole, halves)
+    assert distance < 1e-5
+    assert excess == pytest.approx(0, abs=0.03)

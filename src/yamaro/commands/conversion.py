@@ -176,7 +176,7 @@ def _deliver_build(
 
         return deliver_formats(build, chunks, arguments, streams)
     refuse_overwriting(arguments, lambda: [*build.files, *build.meshes])
-    is_document = arguments.command == "build"  # others show something of the robot
+    is_document = arguments.known_command.writes_document  # others show something of the robot
     status = deliver_assets(build, arguments, streams) if is_document else DONE
     return deliver(chunks, arguments, streams, form) if status == DONE else status
 

@@ -1,11 +1,11 @@
 """Convex pieces of meshes: the convex hull, and a decomposition into several hulls.
 
-A piece is the hull of the surface on one side of planes. It contains the solid there, since a
-plane cuts the solid in an area whose border is on the surface. So pieces cover the mesh by
+A piece is the hull of the surface on one side of planes. So pieces contain the surface by
 construction, also where it is open or not a manifold, and planes are chosen by the volume of the
-hulls alone. More pieces are cut than asked for, and those merged whose common hull is the least
-larger. Source of that: K. Mamou, F. Ghorbel, A simple and efficient approach for 3D mesh
-approximate convex decomposition, ICIP 2009.
+hulls alone. Between pieces that are cut more than once, deep inside of the solid, there can be
+gaps, into which nothing gets from outside. More pieces are cut than asked for, and those merged
+whose common hull is the least larger. Source of that: K. Mamou, F. Ghorbel, A simple and efficient
+approach for 3D mesh approximate convex decomposition, ICIP 2009.
 """
 
 from __future__ import annotations
@@ -16,7 +16,8 @@ import numpy as np
 from scipy.spatial import ConvexHull, HalfspaceIntersection, QhullError
 
 from ..meshes.formats import MeshFileError
-from ..meshes.triangles import TriangleMesh
+from ..meshes.triangles import TriangleMesh, is_closed
+from ..model.inertia import solid_moments
 from .sampling import arrays_of
 from .spheres import Solid
 
@@ -91,9 +92,9 @@ def hull_of(mesh: TriangleMesh) -> TriangleMesh:
 
 
 def decompose(mesh: TriangleMesh, count: int) -> list[TriangleMesh]:
-    """Return at most `count` convex pieces that contain the surface and the solid inside.
+    """Return at most `count` convex pieces that contain the surface, the greatest piece first.
 
-    The greatest piece is first.
+    It is one piece where no more are worth it.
 
     Raises:
         MeshFileError: the mesh has no triangles, or is flat.
@@ -105,6 +106,8 @@ def decompose(mesh: TriangleMesh, count: int) -> list[TriangleMesh]:
     if not whole.volume > 0:
         raise MeshFileError("it is flat, so that no convex piece has a volume")
     least = WORTH * whole.volume
+    if is_closed(mesh) and whole.volume - abs(solid_moments(mesh).volume) < least:
+        count = 1
     pieces = [whole]
     while count > 1 and len(pieces) < SPARE * count:
         # By what is empty in them: of a ring the first plane saves nothing.

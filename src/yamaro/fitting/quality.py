@@ -11,6 +11,7 @@ from math import pi
 from typing import TYPE_CHECKING
 
 import numpy as np
+from scipy.spatial import ConvexHull, QhullError
 
 from ..meshes.triangles import TriangleMesh, is_closed
 from ..model.inertia import solid_moments
@@ -36,8 +37,10 @@ MOST_CORNERS = 20_000
 """Corners of the mesh that are looked at."""
 CELLS = 48
 """Points along the longest side of the box in which the volume of overlapping pieces is counted."""
-CONVEX = 1e-6
-"""How far a corner of a convex mesh may be above one of its planes, as a part of its size."""
+CONVEX = 1e-4
+"""How much less volume than its hull a convex mesh may have, as a part of it."""
+HAIR = 1e-6
+"""How far outside of a piece points on its surface are looked at, as a part of its size."""
 DIGITS = 6
 
 
@@ -101,11 +104,12 @@ class _Surface:
 
     Attributes:
         samples: points spread over it.
+        normals: those of the triangles that these are in, N×3; zeros where a triangle has none.
     """
 
     __slots__ = (
         "_found_in", "_long", "_middle", "_points", "_points_in", "_squares", "_triangles",
-        "samples",
+        "normals", "samples",
     )  # fmt: skip
 
     def __init__(self, points: Floats, triangles: Whole) -> None:
@@ -115,6 +119,10 @@ class _Surface:
         middles = points[triangles].mean(axis=1)
         step = max(1, len(middles) // SAMPLES)
         self.samples = samples
+        a, b, c = np.moveaxis(points[triangles[found_in]], 1, 0)
+        normals = np.cross(b - a, c - a)
+        lengths = np.linalg.norm(normals, axis=1)
+        self.normals = normals / np.where(lengths > 0, lengths, 1.0)[:, None]
         self._found_in = np.concatenate([found_in, np.arange(0, len(middles), step)])
         self._middle = samples.mean(axis=0)
         self._points_in = np.concatenate([samples, middles[::step]]) - self._middle
@@ -186,7 +194,7 @@ class _Piece:
         if isinstance(piece, TriangleMesh):
             points, triangles = arrays_of(piece)
             self._surface = _Surface(points, triangles)
-            self._inside = _planes(points, triangles)
+            self._inside = _planes(points, abs(solid_moments(piece).volume))
             return
         sizes = np.array(piece.shape.size)
         halves = sizes / 2 if piece.shape.kind == "box" else sizes / [1, 2][: len(sizes)]
@@ -211,9 +219,16 @@ class _Piece:
         return depth
 
     def samples(self, count: int) -> Floats:
-        """Return points spread over the surface."""
+        """Return points spread over the surface, of a convex mesh a hair outside of it.
+
+        So those on a face that two pieces share are inside of the other one.
+        """
         if self._surface is not None:
-            return self._surface.samples[:: max(1, SAMPLES // count)]
+            step = max(1, SAMPLES // count)
+            points = self._surface.samples[::step]
+            if self._inside is None:
+                return points
+            return points + HAIR * np.ptp(points, axis=0).max() * self._surface.normals[::step]
         assert not isinstance(self._piece, TriangleMesh)
         local = _spread_over_shape(self._piece.shape.kind, self._guess.halves, count)
         found: Floats = local @ self._guess.rotation.T + self._guess.center
@@ -234,20 +249,19 @@ class _Piece:
         return self._guess.center - around, self._guess.center + around
 
 
-def _planes(points: Floats, triangles: Whole) -> tuple[Floats, Floats] | None:
-    """Return normals and heights of the planes of a convex mesh; None for another one."""
-    corners = points[triangles]
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    lengths = np.sqrt((normals * normals).sum(axis=1))
-    has_area = lengths > 0
-    normals = normals[has_area] / lengths[has_area, None]
-    heights = (normals * corners[has_area, 0]).sum(axis=1)
-    size = float((points.max(axis=0) - points.min(axis=0)).max())
-    for start in range(0, len(points), 1024):
-        above = (points[start : start + 1024] @ normals.T - heights).max()
-        if above > CONVEX * size:
-            return None
-    return normals, heights
+def _planes(points: Floats, volume: float) -> tuple[Floats, Floats] | None:
+    """Return normals and heights of the planes of a convex mesh; None for another one.
+
+    They are those of its hull, since the small triangles of a mesh have no exact normals.
+    """
+    try:
+        hull = ConvexHull(points)
+    except (QhullError, ValueError):  # flat
+        return None
+    if abs(hull.volume - volume) > CONVEX * hull.volume:
+        return None
+    planes = np.unique(hull.equations, axis=0)
+    return planes[:, :3], -planes[:, 3]
 
 
 def _spread_over_shape(kind: str, halves: Floats, count: int) -> Floats:

@@ -205,8 +205,7 @@ def _shape(fitted: Fitted) -> str:
     """Return what was made: the kind of a simple shape, or how many pieces or triangles."""
     if fitted.word == "fit":
         return fitted.made
-    return (
-        f"{fitted.wanted} triangles"
-        if fitted.word == "triangles"
-        else f"{fitted.count} {fitted.word}"
-    )
+    if fitted.word == "triangles":
+        return f"{fitted.wanted} triangles"
+    what = "piece" if fitted.word == "decompose" else "sphere"
+    return f"{fitted.count} {what}{'' if fitted.count == 1 else 's'}"
