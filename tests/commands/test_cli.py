@@ -1346,7 +1346,7 @@ def test_values_of_an_argument_are_listed(capsys: pytest.CaptureFixture[str]) ->
                 "yamaro ",
                 ["yamaro", ""],
                 (
-                    "a.urdf args bin check completion diff fmt guide help lsp mcp migrate new "
+                    "a.urdf args bin check completion diff fit fmt guide help lsp mcp migrate new "
                     "picture robot.yaml sweep test tree two.yml view watch why"
                 ),
             ),

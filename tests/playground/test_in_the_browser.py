@@ -54,7 +54,7 @@ class Playground(Chromium):
     def choose(self, example: str) -> None:
         """Open an example, and wait until the robot is built.
 
-        What takes longer than 5 s is stopped, as a build may on a busy machine: it is asked again.
+        What takes longer than 10 s is stopped, as a build may on a busy machine: it is asked again.
         """
         number = [name for name, _, _ in pack.EXAMPLES].index(example)
         choice = "document.getElementById('examples')"
@@ -63,7 +63,7 @@ class Playground(Chromium):
             self.run(f"{choice}.value = {number}; {choice}.dispatchEvent(new Event('change'))")
             self.wait_for(f"playground.built > {before} && playground.isReady")
             problems = self.text("#problems")
-            if "stopped after 5 s" not in problems and "limit-time" not in problems:
+            if "stopped after 10 s" not in problems and "limit-time" not in problems:
                 return
 
     def write(self, text: str, name: str | None = None) -> None:
@@ -185,7 +185,7 @@ def test_what_does_not_end_is_stopped_and_the_next_text_is_built(page: Playgroun
     assert "error[limit-time]" in page.text("#problems")
     # A function in C hears of nothing, so the worker is ended.
     page.write("robot: r\nprocess: sum(range(10 ** 12))\nmodel:\n- link/name=a:\n")
-    assert "stopped after 5 s" in page.text("#problems")
+    assert "stopped after 10 s" in page.text("#problems")
     page.write("robot: r\nprocess: print('again')\nmodel:\n- link/name=a:\n")
     assert page.text("#problems") == ""
     assert page.run("document.getElementById('printed').textContent") == "again"

@@ -279,17 +279,18 @@ model:
 - part:
     name: arm
     link: {geometry: sphere, radius: 1, mass: 1}
-    joint: {parent: base, type: continuous}
+    joint: {parent: base, type: continuous, xyz: 0 0 1}
 - loop: {name: bar, type: ball, between: [base, arm]}
 """
 
 
-def test_a_loop_is_an_error_only_where_urdf_is_written(tmp_path: Path) -> None:
+def test_a_loop_is_an_error_only_where_urdf_is_written_alone(tmp_path: Path) -> None:
     path = put(tmp_path / "robot.yaml", LOOP)
     assert list(build(path, target="mjcf").robot.loops) == ["bar"]
-    for target in (None, "urdf", ["mjcf", "urdf"]):
+    for target in (None, "urdf", ["urdf", "mjcf"]):
+        assert "loops.yaml" in " ".join(build(path, target=target).assets)
         with pytest.raises(YamaroError, match=r"error\[lost-in-urdf\]"):
-            build(path, target=target)
+            build(path, target=target, alone=True)
 
 
 # --- URDF by name -----------------------------------------------------------------------------

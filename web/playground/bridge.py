@@ -22,7 +22,7 @@ from yamaro.targets.losses import diagnostics_of
 from yamaro.tools.view.session import Session
 from yamaro.tools.view.variables import WrongValue
 
-SECONDS = 5.0
+SECONDS = 10.0
 """How long a conversion may take."""
 PRINTED = 10_000
 """Characters of what a file prints that are shown."""

@@ -196,10 +196,12 @@ def deliver_files(files: dict[str, bytes], streams: Streams) -> int:
 
 def deliver_assets(build: Build, arguments: Arguments, streams: Streams) -> int:
     """Write files beside the output, such as copies of meshes; replace none that differs."""
+    if arguments.has("deps"):
+        return DONE
     is_copied = arguments.options.get("meshes") == "copy"
     has_meshes = is_copied or build.finder.has_made
     is_beside = build.beside and not goes_to_standard_output(arguments)
-    if arguments.has("deps") or not (has_meshes or is_beside):
+    if not (has_meshes or is_beside):
         return DONE
     output = arguments.output_path
     is_file = os.path.isfile(output) or not os.path.exists(output)

@@ -228,7 +228,9 @@ class _Piece:
             points = self._surface.samples[::step]
             if self._inside is None:
                 return points
-            return points + HAIR * np.ptp(points, axis=0).max() * self._surface.normals[::step]
+            hair = HAIR * float(np.ptp(points, axis=0).max())
+            outside: Floats = points + hair * self._surface.normals[::step]
+            return outside
         assert not isinstance(self._piece, TriangleMesh)
         local = _spread_over_shape(self._piece.shape.kind, self._guess.halves, count)
         found: Floats = local @ self._guess.rotation.T + self._guess.center

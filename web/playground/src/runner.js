@@ -1,6 +1,6 @@
 // The worker in which Yamaro runs, seen from the page: ended and begun anew when it hangs.
 
-const LONGEST = 6500; // milliseconds; Yamaro itself ends what takes longer than 5 s, where it can
+const LONGEST = 11_500; // milliseconds; Yamaro itself ends what takes longer than 10 s, where it can
 const LONGEST_START = 90_000;
 
 export class Runner {
@@ -59,7 +59,7 @@ export class Runner {
   }
 
   restart() {
-    this.end("stopped after 5 s: this does not end, or takes too long");
+    this.end("stopped after 10 s: this does not end, or takes too long");
     this.begin();
     this.told.onRestart();
   }
