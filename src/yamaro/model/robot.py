@@ -114,8 +114,8 @@ class Robot(Written):
         "all_joints", "all_links", "finder", "joints", "links", "name", "own_materials", "version",
     )  # fmt: skip
     _internal = frozenset((
-        "all_joints", "all_links", "finder", "name_patterns", "need_joint", "need_link", "noted",
-        "own_materials", "raw", "visuals",
+        "all_joints", "all_links", "finder", "is_convex", "name_patterns", "need_joint",
+        "need_link", "noted", "own_materials", "raw", "visuals",
     ))  # fmt: skip
 
     def __init__(
