@@ -188,6 +188,15 @@ def test_assets_that_lead_out_of_the_folder_are_refused(folder: Path) -> None:
         Folder(str(folder)).new_file("moveit/")
 
 
+@pytest.mark.parametrize("name", ["guide", "-x.yaml", "HEAD:x.yaml"])
+def test_a_file_is_never_taken_for_something_else(name: str, folder: Path) -> None:
+    (folder / name).write_text(ARM)
+    assert Folder(str(folder)).file(name) == os.path.join(".", name)
+    [(ok, text)] = answers(in_process(folder), [("build", {"file": name})])
+    assert ok, text
+    assert '<robot name="swing">' in text
+
+
 def test_a_long_answer_is_cut_and_says_so(folder: Path) -> None:
     [(ok, text)] = answers(in_process(folder), [("build", {"text": LONG})])
     assert ok

@@ -282,7 +282,7 @@ def options_of(arguments: Arguments, **others: Unpack[AllOptions]) -> Options:
     """
     from ..options import Options, UsageError
 
-    is_alone = arguments.command == "build" and not arguments.options.get("output", "").strip("-")
+    is_alone = arguments.command == "build" and goes_to_standard_output(arguments)
     wanted: AllOptions = {
         "packages": read_packages(arguments),
         "command_line": arguments.assignments,

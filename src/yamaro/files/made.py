@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
 FOLDER = "assets"
-"""The folder of their copies, beside a document."""
+"""The folder of their copies, and of copied and converted meshes, beside a document."""
 _DIGITS = 12
 
 

@@ -58,6 +58,12 @@ def gap_of(loop: Loop, one: Pose, other: Pose) -> tuple[float, float]:
     return distance, atan2(hypot(*sines), turn[0][0] + turn[1][1] + turn[2][2] - 1)
 
 
+def driven_joints(robot: Robot) -> set[str]:
+    """Return the names of the joints that an actuator or ros2_control drives."""
+    driven = {actuator.joint for actuator in robot.actuators.values()}
+    return driven.union(*(control.joints for control in robot.controls))
+
+
 def size_of(robot: Robot, positions: Mapping[str, float]) -> float:
     """Return the diagonal of the box around the origins of the links, in metres; never 0."""
     places = [pose.position for pose in link_poses(robot, positions).values()]

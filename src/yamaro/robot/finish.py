@@ -323,6 +323,7 @@ def close_home(lowering: Lowering, root: Element, notes: Sequence[RobotNote]) ->
         WIDEST_TURN,
         closed_near,
         closures,
+        driven_joints,
         gap_of,
         size_of,
     )
@@ -332,8 +333,7 @@ def close_home(lowering: Lowering, root: Element, notes: Sequence[RobotNote]) ->
     home = robot.states.get(HOME)
     positions = positions_in(robot, home)
     size = size_of(robot, positions)
-    driven = {actuator.joint for actuator in robot.actuators.values()}
-    driven.update(joint for control in robot.controls for joint in control.joints)
+    driven = driven_joints(robot)
     where = f"in the state '{HOME}'" if home is not None else "with all joints at 0"
     added: list[RobotNote] = []
     for closure in closures(robot, size):

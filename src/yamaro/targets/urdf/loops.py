@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from ...diagnostics import ERROR, Diagnostic
-from ...model.loops import closures, exact_mimics, size_of
+from ...model.loops import closures, driven_joints, exact_mimics, size_of
 from ...model.positions import home_positions
+from ...xml.tree import Element
 from ..elements import element
 from ..output import MARK
 from ..parameters import yaml_of
@@ -12,7 +13,7 @@ from ..parameters import yaml_of
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ...model.robot import Robot
-    from ...xml.tree import Element, Node
+    from ...xml.tree import Node
 
 ENDING = ".loops.yaml"
 """Of the name of the file beside a URDF."""
@@ -31,23 +32,22 @@ class Loops:
         """Find the joints that loops make follow others."""
         self._robot = robot
         self._home = home_positions(robot)
-        driven = {actuator.joint for actuator in robot.actuators.values()}
-        driven.update(joint for control in robot.controls for joint in control.joints)
-        self._mimics, self._held = exact_mimics(robot, self._home, driven)
+        self._mimics, self._held = exact_mimics(robot, self._home, driven_joints(robot))
         self.open = [loop for loop in robot.loops.values() if loop.name not in self._held]
 
     def in_tree(self, root: Element) -> Element:
         """Return the `<robot>` with a `<mimic>` in each joint that follows another exactly."""
         if not self._mimics:
             return root
+        names = {id(self._robot.joints[name].element): name for name in self._mimics}
         children: list[Node] = []
         for child in root.children:
-            joint = self._robot.joints.get(getattr(child, "attributes", {}).get("name", ""))
-            if joint is not None and child is joint.element and joint.name in self._mimics:
-                loop, leader, multiplier, offset = self._mimics[joint.name]
+            name = names.get(id(child))
+            if name is not None and isinstance(child, Element):
+                loop, leader, multiplier, offset = self._mimics[name]
                 values = {"multiplier": multiplier, "offset": offset}
                 mimic = element("mimic", {"joint": leader, **values}, owner=loop)
-                child = joint.element.with_children([*joint.element.children, mimic])
+                child = child.with_children([*child.children, mimic])
             children.append(child)
         return root.with_children(children)
 

@@ -36,8 +36,7 @@ class Call:
 
     Attributes:
         values: its parameters by name.
-        text: what the command reads from its standard input.
-        reads_pipe: whether it does.
+        text: what the command reads from its standard input, or None.
     """
 
     __slots__ = ("_folder", "text", "values")

@@ -51,7 +51,8 @@ class Folder:
         beside = path if is_folder else os.path.join(os.path.dirname(path), "assets")
         for each in _all_in(beside):
             if os.path.islink(each) and not self._has(os.path.realpath(each)):
-                raise Refused(f"the link '{self._from_here(each)}' leads out of the folder")
+                name = os.path.relpath(each, self.path)
+                raise Refused(f"the link '{name}' leads out of the folder")
         return self._from_here(path) + ("/" if is_folder else "")
 
     def _inside(self, name: str) -> str:
@@ -70,7 +71,7 @@ class Folder:
     def _from_here(self, path: str) -> str:
         """Return a path as the command takes it for a file, whatever it begins with."""
         name = os.path.relpath(path, self.path)
-        is_plain = not name.startswith("-") and ":" not in name
+        is_plain = "." in name and not name.startswith("-") and ":" not in name  # as no command is
         return name if is_plain else os.path.join(os.curdir, name)
 
 
