@@ -187,8 +187,9 @@ def test_drake_reads_the_sdf(name: str, written: Callable[[str], Path]) -> None:
 
     plant: Any = MultibodyPlant(1e-3)
     (instance,) = Parser(plant).AddModels(str(of_kind(written(name), ".sdf")))
-    plant.Finalize()
-    found = plant.CalcTotalMass(plant.CreateDefaultContext(), [instance])
+    if not yamaro.build(str(shelf.main_file(name))).robot.loops:  # Drake reads them, and no more
+        plant.Finalize()
+    found = sum(plant.get_body(body).default_mass() for body in plant.GetBodyIndices(instance))
     assert found == pytest.approx(mass_in(written(name)), rel=1e-6)
 
 
