@@ -11,7 +11,7 @@ from yamaro.policy import Policy
 from yamaro.rebuilding import Rebuilder
 from yamaro.sandbox import jail
 from yamaro.source import Source
-from yamaro.xml.reader import _Reader, read_xml
+from yamaro.xml.reader import XmlReader, read_xml
 from yamaro.xml.writer import write
 
 needs_jail = pytest.mark.skipif(jail.check_available() is not None, reason="no jail here")
@@ -176,13 +176,13 @@ def test_load_tells_what_is_wrong_with_xml(tmp_path: Path) -> None:
 def test_a_robot_in_xacro_is_parsed_once_a_build(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    read, texts = _Reader.read, []
+    read, texts = XmlReader.read, []
 
-    def counted(reader: _Reader) -> object:
+    def counted(reader: XmlReader) -> object:
         texts.append(reader._source.text)
         return read(reader)
 
-    monkeypatch.setattr(_Reader, "read", counted)
+    monkeypatch.setattr(XmlReader, "read", counted)
     opened(tmp_path / name, XACRO)
     assert texts == [XACRO]
     (tmp_path / "robot.yaml").write_text(f"robot: r\nmodel:\n- include: {name}\n")

@@ -298,7 +298,7 @@ class PackageFinder:
 def packages_below(root: str, depth: int = MAX_DEPTH) -> dict[str, str]:
     """Return name and folder of each package in `root` or below; the first of a name wins."""
     packages: dict[str, str] = {}
-    for folder in _package_folders(root, depth):
+    for folder in package_folders(root, depth):
         name = manifest_name(folder)
         if name:
             packages.setdefault(name, folder)
@@ -396,7 +396,7 @@ def surroundings(start: str) -> list[tuple[str, int]]:
     return sorted(depths.items(), key=lambda item: len(item[0]), reverse=True)
 
 
-def _package_folders(root: str, max_depth: int) -> Iterator[str]:
+def package_folders(root: str, max_depth: int = MAX_DEPTH) -> Iterator[str]:
     """Yield the folders in `root` or below that hold a package.xml, in the order of their names.
 
     Like ROS's own tools this does not look inside packages or at folders marked to be ignored;

@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from ..syntax.nodes import Body, Value
+    from ..xacro.noted import Noted as XacroNoted
     from ..xml.tree import Node
     from .interpreter import Handlers, Interpreter
     from .scope import Scope
@@ -47,10 +48,11 @@ MOST_VALUES = 20
 class Noted:
     """The values that names have where they are declared, in the order of the run."""
 
-    __slots__ = ("_interpreter", "_values")
+    __slots__ = ("_interpreter", "_of_xacro", "_values")
 
     def __init__(self, interpreter: Interpreter) -> None:
         """Begin with nothing noted."""
+        self._of_xacro: list[XacroNoted] = []
         self._interpreter = interpreter
         self._values: dict[tuple[str, str, int], list[Reading]] = {}
 
@@ -73,9 +75,18 @@ class Noted:
         for parameter in node.parameters:
             self.take(scope, [parameter.name], parameter.span)
 
+    def of_xacro(self) -> XacroNoted:
+        """Return what notes the values of names and expressions in a xacro file."""
+        from ..xacro.noted import Noted as XacroNoted
+
+        noted = XacroNoted()
+        self._of_xacro.append(noted)
+        return noted
+
     def readings(self) -> list[Reading]:
         """Return all of them: the name, the value, and where it is declared."""
-        return [each for noted in self._values.values() for each in noted]
+        own = [each for noted in self._values.values() for each in noted]
+        return [*own, *(each for noted in self._of_xacro for each in noted.readings())]
 
 
 def run_recorded_element(

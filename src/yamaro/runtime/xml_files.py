@@ -271,8 +271,16 @@ def _expanded(
     if node.namespace is not None:
         arguments["namespace"] = str(namespace)
     places = {each.name: each.span for each in node.arguments if each.name is not None}
+    noted = None if interpreter.noted is None else interpreter.noted.of_xacro()
     return expand(
-        source, host, arguments, interpreter.reporter, root=root, frame=frame, places=places
+        source,
+        host,
+        arguments,
+        interpreter.reporter,
+        root=root,
+        frame=frame,
+        places=places,
+        noted=noted,
     )
 
 
@@ -400,7 +408,9 @@ def run_xml_main(
         host = XacroHost(
             files, interpreter.messages, limits, main=source, has_environment=safety is None
         )
-        return expand(source, host, arguments, reporter, root=root, places=places), True
+        noted = None if interpreter.noted is None else interpreter.noted.of_xacro()
+        expanded = expand(source, host, arguments, reporter, root=root, places=places, noted=noted)
+        return expanded, True
     finally:
         interpreter.messages.close()
         files.close()

@@ -79,6 +79,11 @@ def _call(expansion: Expansion, node: Element, name: str, site: Site) -> None:
     call.take_blocks()
     expansion.enter("called", PREFIX + name, node.span, macro.home)
     call.take_defaults()
+    if expansion.evaluator.noted is not None:
+        for parameter in macro.parameters:
+            if not parameter.is_block:
+                value = dict.get(call.scope, parameter.name)
+                expansion.evaluator.noted.take_parameter(body, parameter, value)
     produced: list[Node] = []
     attributes: dict[str, object] = {}
     for key, value in body.attributes.items():  # xacro evaluates those of the definition, too

@@ -11,6 +11,7 @@ from keyword import iskeyword
 from ..diagnostics import Frame, InputFault, YamaroError, did_you_mean, failure
 from ..source import Span
 from ..syntax.powers import compile_bounded
+from ..xml.tree import Element
 from ..yaml.reader import UNITS
 from .faults import Fault, add_trace
 from .places import XacroPlace
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
     from ..fixes import Fix
     from ..policy import Limits
     from .host import Host
+    from .noted import Noted
     from .templates import EvalNames
 
     class Actions(Protocol):
@@ -85,6 +87,8 @@ class XacroEvaluator:
         place: what is being evaluated.
         files: the paths of the files being read, the innermost last.
         names: those that are predefined.
+        noted: notes the values of names and expressions, or None.
+        is_quiet: whether nothing is shown or reported that an expression wants shown.
     """
 
     def __init__(
@@ -96,6 +100,8 @@ class XacroEvaluator:
         self.files: list[str] = []
         self.place: XacroPlace
         self.names = predefined(self)
+        self.noted: Noted | None = None
+        self.is_quiet = False
         self._python = python
         self._templates: dict[str, Template] = {}
         self._span: Span | None = None  # of the substitution being replaced
@@ -164,7 +170,19 @@ class XacroEvaluator:
             scope.resolving.pop()
             self.place = user
         scope.put(name, value)
+        if self.noted is not None and isinstance(lazy.place.node, Element):
+            self.noted.take_name(lazy.place.node, name, value)
         return value
+
+    def resolve_all(self, scope: Scope) -> None:
+        """Work out the properties of a scope that nothing has read, as far as they have values."""
+        self.is_quiet = True
+        for name, lazy in list(scope.lazy.items()):
+            try:
+                self.resolve(scope, name, lazy)
+            except (YamaroError, RecursionError):
+                continue
+        self.is_quiet = False
 
     # --- templates --------------------------------------------------------------------------
 
@@ -175,6 +193,12 @@ class XacroEvaluator:
         return "".join([p if type(p) is str else str(self._part(p, scope)) for p in parts])
 
     def _part(self, part: str | Expression | Substitution, scope: Scope) -> Any:
+        value = self._value_of(part, scope)
+        if self.noted is not None and not isinstance(part, str):
+            self.noted.take_expression(self.place, part.start, part.end, value)
+        return value
+
+    def _value_of(self, part: str | Expression | Substitution, scope: Scope) -> Any:
         if type(part) is Expression:
             text = part.text if part.inner is None else str(self._join(part.inner, scope))
             try:
@@ -305,6 +329,8 @@ class XacroEvaluator:
 
     def tell(self, kind: str, text: str) -> None:
         """Show a message, a warning or an error."""
+        if self.is_quiet:
+            return
         if kind == "message":
             self.host.say(text, self._here())
         else:
@@ -312,6 +338,8 @@ class XacroEvaluator:
 
     def tell_location(self) -> None:
         """Show which macros and files led here."""
+        if self.is_quiet:
+            return
         frame = self.place.trace
         lines = [f"at {self._here().place()}"]
         while isinstance(frame, Frame):
@@ -338,6 +366,8 @@ class XacroEvaluator:
         self, code: str, message: str, hint: str | None = None, fix: Fix | None = None
     ) -> None:
         """Report at the place being evaluated what does not prevent a document."""
+        if self.is_quiet:
+            return
         self.reporter.report(
             code, message, self._here(), hint=hint, trace=self.place.trace, fix=fix
         )

@@ -40,6 +40,7 @@ if TYPE_CHECKING:
     from ..xml.reader import XmlDocument
     from ..xml.tree import Element, Node
     from .host import Host
+    from .noted import Noted
     from .scope import Macros, Scope
     from .statements import Include
 
@@ -56,6 +57,7 @@ def expand(
     python: Python | None = None,
     frame: Frame | None = None,
     places: Mapping[str, Span] | None = None,
+    noted: Noted | None = None,
 ) -> Element:
     """Return the root element of what xacro makes of a file, without xmlns:xacro.
 
@@ -70,11 +72,13 @@ def expand(
         python: evaluates expressions, if not as Python does.
         frame: the include that led to the file, if one did.
         places: where arguments are given; those that the file does not know are warned of there.
+        noted: notes the values of names and expressions.
 
     Raises:
         YamaroError: the file cannot be expanded; the first fault, with its place.
     """
     evaluator = XacroEvaluator(host, reporter, python or Python(host.limits), arguments)
+    evaluator.noted = noted
     result = Expansion(host, reporter, evaluator, frame).expand(source, root)
     known = evaluator.arguments.used
     for name, span in (places or {}).items():
@@ -138,7 +142,10 @@ class Expansion:
                 span = root.value_span("xacro:targetNamespace")
                 root.value_spans = {"xmlns": span}
         try:
-            result = self.element(root, Macros(), self.scope(self.evaluator.names))
+            scope = self.scope(self.evaluator.names)
+            result = self.element(root, Macros(), scope)
+            if self.evaluator.noted is not None:
+                self.evaluator.resolve_all(scope)
         except RecursionError:
             raise self.too_deep(self.frame.span if self.frame else root.span) from None
         if self.lost:

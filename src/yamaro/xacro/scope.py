@@ -262,6 +262,8 @@ def declare_argument(expansion: Expansion, node: Element, site: Site) -> None:
     if given["name"] not in arguments:
         place = expansion.place(node, "default")
         arguments[given["name"]] = expansion.evaluator.text(given["default"], site.scope, place)
+    if expansion.evaluator.noted is not None:
+        expansion.evaluator.noted.take_name(node, given["name"], arguments[given["name"]])
     expansion.leave_mark(node, site)()
 
 
@@ -326,6 +328,8 @@ def define_property(expansion: Expansion, node: Element, site: Site) -> None:
             target.set_lazy(name, Lazy(value, place))
         elif isinstance(value, str):
             target.put(name, guess_value(value))
+    if expansion.evaluator.noted is not None and name not in target.lazy:
+        expansion.evaluator.noted.take_name(node, name, dict.__getitem__(target, name))
 
 
 def assign(expansion: Expansion, scope: Scope, name: str, value: Any, place: XacroPlace) -> None:

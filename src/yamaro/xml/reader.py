@@ -129,7 +129,7 @@ def read_xml(source: Source, limits: Limits | None = None, *, exact: bool = Fals
     source.is_xml = True
     limits = limits or Limits()
     try:
-        return _Reader(source, limits, exact, source.text).read()
+        return XmlReader(source, limits, exact, source.text).read()
     except YamaroError as error:
         # Gazebo's parser takes these faults, so that its users do not see them.
         if error.diagnostics[0].code != "xml-syntax" or not _OF_SDF.search(source.text):
@@ -137,7 +137,7 @@ def read_xml(source: Source, limits: Limits | None = None, *, exact: bool = Fals
         mended = _mended(source.text)
         if mended == source.text:
             raise
-    return _Reader(source, limits, exact, mended).read()
+    return XmlReader(source, limits, exact, mended).read()
 
 
 def _mended(text: str) -> str:
@@ -196,7 +196,7 @@ def _count(data: bytes) -> int:
     return len(data.translate(None, _CONTINUING))
 
 
-class _Reader:
+class XmlReader:
     """Builds the tree while expat reads."""
 
     def __init__(self, source: Source, limits: Limits, exact: bool, text: str) -> None:
@@ -219,6 +219,7 @@ class _Reader:
         self._starts = [0]  # how many characters are before each block of bytes
 
     def read(self) -> XmlDocument:
+        """Return what the text holds; raise YamaroError where it is not XML, or has too much."""
         from pyexpat import ExpatError
 
         text = self._whole

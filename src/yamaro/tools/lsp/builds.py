@@ -127,12 +127,12 @@ class Job:
         from ...request import reach_of
 
         policy = settings.policy(lambda: self.is_abandoned)
-        reach = reach_of(self.main, policy, settings.packages)
+        reach = reach_of(self.main, policy, settings.all_packages)
         program = Program(
             self.main,
             loader=OverlayLoader(self.texts, FileLoader(policy.limits, reach)),
             policy=policy,
-            packages=settings.packages,
+            packages=settings.all_packages,
         )
         build = program.build(
             command_line=settings.arguments_of(self.main),
@@ -173,6 +173,10 @@ class Builder:
         job = self._current.pop(main, None)
         if job is not None:
             job.is_abandoned = True
+
+    def knows(self, main: str) -> bool:
+        """Return whether a build of a main file was asked for, and not given up since."""
+        return main in self._current
 
     def work(self, task: Callable[[], object]) -> None:
         """Do something else after the jobs that wait."""
@@ -329,9 +333,11 @@ class Values:
                     self._note(child.span, child.value)
 
     def _note(self, span: Span, value: object) -> None:
-        if not isinstance(span, RecordedSpan):
-            return
         key = (span.source.path, span.start)
+        if not isinstance(span, RecordedSpan):
+            if "$" in span.source.text[span.start : span.end]:  # in xacro
+                self.written.setdefault(key, {}).setdefault(format_value(value))
+            return
         self.written.setdefault(key, {}).setdefault(format_value(value))
         for other in (span, span.name_span, *span.others):
             if not isinstance(other, RecordedSpan):

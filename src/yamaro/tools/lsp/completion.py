@@ -318,10 +318,7 @@ class Items:
                 self.add(name, _FILE, rank="3")
         if not slash or typed.rpartition("/")[0] == "package:/":
             is_begun = slash != ""  # `package://` is there then
-            from .workspace import finder_of
-
-            finder = finder_of(self._workspace.settings)
-            for name in finder.names(self._text.folder)[:MOST_FILES]:
+            for name in self._workspace.finder.names(self._text.folder)[:MOST_FILES]:
                 label, new = (name, f"{name}/") if is_begun else (f"package://{name}/", None)
                 self.add(label, _FOLDER, text=new, detail="package", rank="5")
 

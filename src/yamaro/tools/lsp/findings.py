@@ -56,8 +56,16 @@ def diagnostics_of(workspace: Workspace, path: str) -> list[Diagnostic]:
 
 
 def settled(result: Result) -> list[Diagnostic]:
-    """Return the diagnostics of a build; code that needs trust is one remark and no error."""
+    """Return the diagnostics of a build; code that needs trust is one remark and no error.
+
+    A xacro file that only defines macros is not a robot, so nothing is missing in it.
+    """
     kept = [each for each in result.diagnostics if each.code not in (UNSAFE, NO_JAIL)]
+    root = result.root
+    if root is not None and "<xacro:" in root.span.source.text:
+        is_robot = any(each.name == "link" for each in root.elements())
+        if not is_robot:
+            kept = [each for each in kept if each.span.start != root.span.start]
     refused = [each for each in result.diagnostics if each.code in (UNSAFE, NO_JAIL)]
     if refused:
         first = refused[0].copy()

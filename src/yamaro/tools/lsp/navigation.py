@@ -113,7 +113,9 @@ def references(workspace: Workspace, parameters: Json) -> Json:
 def places_at(workspace: Workspace, text: Text, offset: int) -> list[tuple[Span, bool]]:
     """Return the places that mean what is at an offset, and whether each declares it."""
     if not text.is_yaml:
-        return []
+        from .robot_xml import places_in_robot
+
+        return places_in_robot(workspace, text, offset)
     program = Program(workspace, text.path)
     place = program.at(text, offset)
     if place is not None:
@@ -189,14 +191,14 @@ class PathPlace:
 def paths_in(workspace: Workspace, text: Text) -> list[PathPlace]:
     """Return the paths in a file whose files are there."""
     if not text.is_yaml:
-        from .xml_names import written_paths
+        from .xml_names import files_named_in
 
-        written = written_paths(text)
+        resolutions = files_named_in(workspace, text)
     else:
-        written = list(_written(text.root, [], set()))
+        written = _written(text.root, [], set())
+        resolutions = [(workspace.resolve(text, path), span) for path, span in written]
     found = []
-    for path, span in written:
-        resolved = workspace.resolve(text, path)
+    for resolved, span in resolutions:
         if resolved is not None and os.path.isfile(resolved):
             found.append(PathPlace(resolved, span))
     return found

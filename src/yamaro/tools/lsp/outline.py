@@ -38,7 +38,10 @@ def document_symbols(workspace: Workspace, parameters: Json) -> Json:
     else:
         from .xml_names import format_of
 
-        found = builder.of_element(text.xml, hoists=format_of(text.xml) == "mjcf")
+        if format_of(text.xml):
+            found = builder.of_element(text.xml, hoists=format_of(text.xml) == "mjcf")
+        else:
+            found = builder.of_robot(text.xml)
     own = (workspace.client.get("textDocument") or {}).get("documentSymbol") or {}
     if own.get("hierarchicalDocumentSymbolSupport"):
         return found
@@ -200,6 +203,62 @@ class _Symbols:
             found.append(symbol)
         return found
 
+    def of_robot(self, root: Element | None) -> list[Json]:
+        """Return what a URDF or xacro file defines and calls, with what is in that."""
+        stops = {tag.start + 1: tag.stop for tag in self._text.tags.found}
+        return [] if root is None else self._in_robot(root, stops, 0)
+
+    def _in_robot(self, element: Element, stops: dict[int, int], depth: int) -> list[Json]:
+        found: list[Json] = []
+        for child in element.elements() if depth <= _MOST_DEPTH else ():
+            given = child.attributes
+            is_call = child.name.startswith("xacro:")
+            kind = _IN_ROBOT.get(child.name, _OBJECT if is_call else None)
+            inner = self._in_robot(child, stops, depth + 1)
+            if kind is None or (child.name == "material" and not child.elements()):
+                found += inner
+                continue
+            name, detail = str(given.get("name", "")), child.name.removeprefix("xacro:")
+            if child.name == "xacro:include":
+                name = str(given.get("filename", ""))
+            elif child.name in ("gazebo", "xacro:if", "xacro:unless"):
+                value = given.get("reference", given.get("value", ""))
+                name, detail = f"{detail} {value}".strip(), ""
+            elif child.name in ("joint", "xacro:macro", "xacro:property", "xacro:arg"):
+                own = ("type", "params", "value", "default")
+                more = next((str(given[each]) for each in own if each in given), "")
+                detail = f"{detail} {' '.join(more.split())}"[:80]
+            elif child.name not in _IN_ROBOT:  # a call of a macro
+                values = (f"{key}={value}" for key, value in given.items())
+                name, detail = child.name, " ".join(values)[:80]
+            span = child.span
+            start = span.start - 1
+            stop = max(stops.get(span.start, span.end), span.end)
+            symbol = {
+                "name": name or child.name,
+                "kind": kind,
+                "range": range_of(span.source, start, stop, self._encoding),
+                "selectionRange": range_of(span.source, start, span.end, self._encoding),
+            }
+            if detail:
+                symbol["detail"] = detail
+            if inner:
+                symbol["children"] = inner
+            found.append(symbol)
+        return found
+
+
+_IN_ROBOT = {
+    **dict.fromkeys(("link", "joint"), _CLASS),
+    **dict.fromkeys(("material", "gazebo", "transmission", "ros2_control", "sensor"), _FIELD),
+    **dict.fromkeys(("xacro:if", "xacro:unless"), _NAMESPACE),
+    "xacro:macro": _FUNCTION,
+    "xacro:property": _VARIABLE,
+    "xacro:arg": _CONSTANT,
+    "xacro:include": _MODULE,
+}
+"""What the outline of a URDF or xacro file shows, with the kind of its symbol."""
+
 
 def _title(key: ScalarNode, value: YamlNode) -> str:
     """Return what to call an element or statement."""
@@ -224,13 +283,11 @@ def folding_ranges(workspace: Workspace, parameters: Json) -> Json:
     """Return the stretches as lines, from 0."""
     text = workspace.text_at(parameters)
     if not text.is_yaml:
-        from .xml_names import elements_in
-
-        stretches = {
-            (_line(text, each.span.start), _line(text, child.span.end))
-            for each in elements_in(text.xml)
-            for child in each.elements()[-1:]
-        }
+        stretches = [
+            (_line(text, tag.start), _line(text, tag.close) - 1)
+            for tag in text.tags.found
+            if tag.close != tag.end
+        ]
         kinds = dict.fromkeys(stretches, "region")
     else:
         found: list[tuple[int, int]] = []

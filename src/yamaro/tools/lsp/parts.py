@@ -12,6 +12,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from ...model.joint import Joint
     from ...model.link import Link
     from ...model.robot import Robot
     from ...yaml.nodes import YamlNode
@@ -206,7 +207,7 @@ def part_lines(workspace: Workspace, text: Text, part: Named | Reference) -> lis
         return [title] if isinstance(part, Named) else []
     lines = [title]
     for robot, link in links[:MOST_LINKS]:
-        lines.append(_about(robot, link))
+        lines.append(about_link(robot, link))
     if len(links) > MOST_LINKS:
         lines.append(f"… and {len(links) - MOST_LINKS} more")
     return lines
@@ -226,7 +227,7 @@ def _named(workspace: Workspace, text: Text, name: str) -> list[tuple[Robot, Lin
     return []
 
 
-def _about(robot: Robot, link: Link) -> str:
+def about_link(robot: Robot, link: Link) -> str:
     """Return what is known of a link, as a list in Markdown."""
     rows = [f"link `{link.name}`"]
     inertial = link.inertial
@@ -244,6 +245,26 @@ def _about(robot: Robot, link: Link) -> str:
     xyz = " ".join(map(_number, pose.position))
     rpy = " ".join(map(_number, pose.rpy))
     rows.append(f"at zero: xyz {xyz} m, rpy {rpy} rad from the root")
+    return "\n".join(f"- {row}" for row in rows)
+
+
+def about_joint(joint: Joint) -> str:
+    """Return what is known of a joint, as a list in Markdown."""
+    rows = [f"joint `{joint.name}`, {joint.type}", f"from `{joint.parent}` to `{joint.child}`"]
+    is_linear = joint.type == "prismatic"
+    limit, mimic = joint.limit, joint.mimic
+    if joint.type not in ("fixed", "floating"):
+        rows.append(f"axis {' '.join(map(_number, joint.axis))}")
+    if limit is not None and joint.type in ("revolute", "prismatic"):
+        unit = "m" if is_linear else "rad"
+        rows.append(f"from {_number(limit.lower)} to {_number(limit.upper)} {unit}")
+    if limit is not None and limit.effort is not None and joint.type != "fixed":
+        rows.append(f"effort {_number(limit.effort)} {'N' if is_linear else 'N·m'}")
+    if limit is not None and limit.velocity is not None and joint.type != "fixed":
+        rows.append(f"velocity {_number(limit.velocity)} {'m/s' if is_linear else 'rad/s'}")
+    if mimic is not None:
+        factor, offset = _number(mimic.multiplier), _number(mimic.offset)
+        rows.append(f"follows `{mimic.joint}`: {factor} · position + {offset}")
     return "\n".join(f"- {row}" for row in rows)
 
 

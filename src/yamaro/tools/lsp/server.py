@@ -21,7 +21,7 @@ from .protocol import (
     agreed_encoding,
     path_of,
 )
-from .workspace import Settings, Workspace, folders_of, may_be_of_robots, scan
+from .workspace import XML_ENDINGS, Settings, Workspace, folders_of, may_be_of_robots, scan
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -174,8 +174,14 @@ class Server:
         workspace.results[result.main] = result
         if result.root is not None:
             workspace.good[result.main] = result
+        for path in workspace.open:  # that this program does not read after all
+            for main in workspace.mains_of(path):
+                if self._builder is not None and not self._builder.knows(main):
+                    self._due.setdefault(main, time.monotonic())
         self._forget_builds()
         self._publish_all()
+        if result.main.lower().endswith(XML_ENDINGS):  # what a hover is going to ask
+            _ = result.values, result.robot
         hints = (workspace.client.get("workspace") or {}).get("inlayHint") or {}
         if workspace.settings.has_hints and hints.get("refreshSupport"):
             self._requests += 1

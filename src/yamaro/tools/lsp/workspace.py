@@ -5,10 +5,13 @@ from __future__ import annotations
 import math
 import os
 import re
+import time
+from glob import escape, iglob
+from itertools import islice, takewhile
 
 from ...diagnostics import Reporter, YamaroError
 from ...files.loader import FileLoader, LoadError
-from ...files.packages import PackageFinder
+from ...files.packages import PackageFinder, manifest_name, package_folders
 from ...policy import SAFE, Limits, Policy
 from ...sandbox.deep_stack import run_on_deep_stack
 from ...source import Source, Span, holds_xml
@@ -21,11 +24,13 @@ if TYPE_CHECKING:
     from ...diagnostics import Diagnostic
     from ...syntax.nodes import Parsed
     from ...syntax.symbol_table import SymbolTable
+    from ...xml.recovery import Tags
     from ...xml.tree import Element
     from ...yaml.nodes import YamlNode
     from .builds import Result
     from .parts import Parts
     from .protocol import Json
+    from .robot_xml import RobotNames
 
 
 # --- texts ------------------------------------------------------------------------------------
@@ -44,7 +49,7 @@ class Text:
         source: the text; `is_xml` says whether it is URDF or xacro.
     """
 
-    __slots__ = ("_parsed", "_parts", "_root", "_xml", "path", "source")
+    __slots__ = ("_parsed", "_parts", "_robot_names", "_root", "_tags", "_xml", "path", "source")
 
     def __init__(self, path: str, text: str) -> None:
         """Take a text for the content of a file."""
@@ -55,6 +60,8 @@ class Text:
         self._root: YamlNode | None = None
         self._parts: Parts | None = None
         self._xml: tuple[Element | None, list[Diagnostic]] | None = None
+        self._tags: Tags | None = None
+        self._robot_names: RobotNames | None = None
 
     @property
     def text(self) -> str:
@@ -139,8 +146,27 @@ class Text:
 
     @property
     def xml(self) -> Element | None:
-        """Return the root element of a file that holds XML, or None if it is not well-formed."""
+        """Return the root element of a file that holds XML, as far as it can be read, or None."""
         return self._read_xml()[0]
+
+    @property
+    def tags(self) -> Tags:
+        """Return the tags of a file that holds XML, well-formed or not."""
+        if self._tags is None:
+            from ...xml.recovery import Tags
+
+            self._tags = Tags(self.text)
+        return self._tags
+
+    @property
+    def robot_names(self) -> RobotNames:
+        """Return the names in a URDF or xacro file."""
+        if self._robot_names is None:
+            from .robot_xml import RobotNames
+
+            root = self.xml
+            self._robot_names = run_on_deep_stack(lambda: RobotNames(root))
+        return self._robot_names
 
     @property
     def findings(self) -> list[Diagnostic]:
@@ -151,17 +177,18 @@ class Text:
 
     def _read_xml(self) -> tuple[Element | None, list[Diagnostic]]:
         if self._xml is None:
-            self._xml = run_on_deep_stack(lambda: _read_xml(self.source))
+            self._xml = run_on_deep_stack(self._parse_xml)
         return self._xml
 
+    def _parse_xml(self) -> tuple[Element | None, list[Diagnostic]]:
+        from ...xml.reader import read_xml
 
-def _read_xml(source: Source) -> tuple[Element | None, list[Diagnostic]]:
-    from ...xml.reader import read_xml
+        try:
+            return read_xml(self.source, Limits()).root, []
+        except YamaroError as error:
+            from ...xml.recovery import read_broken
 
-    try:
-        return read_xml(source, Limits()).root, []
-    except YamaroError as error:
-        return None, error.diagnostics
+            return read_broken(self.source, self.tags), error.diagnostics
 
 
 def may_be_of_robots(path: str) -> bool:
@@ -188,10 +215,11 @@ class Settings:
         timeout: seconds that a build may take.
         has_hints: whether to show inlay hints.
         packages: folders of ROS packages by their names.
+        found: those of packages in the open folders, except for names that several have.
         arguments: for names of files, what is passed to them: `name:=value`.
     """
 
-    __slots__ = ("arguments", "has_hints", "may_jail", "packages", "pause", "timeout")
+    __slots__ = ("arguments", "found", "has_hints", "may_jail", "packages", "pause", "timeout")
 
     def __init__(self, options: Json = None) -> None:
         """Read the `initializationOptions`; what makes no sense keeps its default."""
@@ -206,6 +234,7 @@ class Settings:
             for name, folder in (packages.items() if isinstance(packages, dict) else ())
             if isinstance(folder, str)
         }
+        self.found: dict[str, str] = {}
         arguments = options.get("arguments")
         self.arguments = {
             str(name): [text for text in texts if isinstance(text, str)]
@@ -223,6 +252,11 @@ class Settings:
             policy.fallback.is_abandoned = is_abandoned
         policy.is_abandoned = is_abandoned
         return policy
+
+    @property
+    def all_packages(self) -> dict[str, str]:
+        """Return the folders of packages by name: those that are set come first."""
+        return {**self.found, **self.packages}
 
     def arguments_of(self, path: str) -> list[str]:
         """Return what is passed to a main file."""
@@ -246,6 +280,14 @@ MOST_FILES = 2_000
 """Files of a workspace that are looked through for includes."""
 MOST_BYTES = 1 << 20
 """The largest file that is looked through."""
+MOST_MAINS = 5
+"""Main files of one XML file that are built."""
+MOST_MATCHES = 50
+"""Files that a path may mean of which parts are computed."""
+FINDER_SECONDS = 2.0
+"""How long it holds where a package is."""
+_COMPUTED = re.compile(r"\$\([^)]*\)|\$\{[^}]*\}")
+_MAGIC = re.compile(r"[*?\[]")
 _SKIPPED = ("node_modules", "build", "install", "log", "dist", "__pycache__")
 
 
@@ -284,6 +326,8 @@ class Workspace:
         self.client: Json = {}
         self._closed: dict[str, tuple[tuple[int, int], Text]] = {}
         self._includes: dict[str, frozenset[str]] = {}  # as far as they can be read unrun
+        self._finder: PackageFinder | None = None
+        self._finder_until = 0.0
 
     # --- texts ------------------------------------------------------------------------------
 
@@ -364,6 +408,35 @@ class Workspace:
 
     # --- programs ---------------------------------------------------------------------------
 
+    @property
+    def finder(self) -> PackageFinder:
+        """Return what finds packages; what it has found holds for a moment."""
+        now = time.monotonic()
+        if self._finder is None or now > self._finder_until:
+            self._finder = finder_of(self.settings)
+            self._finder_until = now + FINDER_SECONDS
+        return self._finder
+
+    def package(self, name: str, folder: str) -> str | None:
+        """Return the folder of a package that a file in some folder names, or None."""
+        return self.finder.find(name, folder)
+
+    def resolve_all(self, text: Text, path: str) -> list[str]:
+        """Return the absolute paths that a path in a file may mean, if parts of it are computed."""
+        resolved = self.resolve(text, path)
+        if resolved is not None and not _MAGIC.search(path):
+            return [resolved]
+        if text.is_yaml:
+            return []
+        found = re.match(r"\$\(find\s+([^()\s]+)\s*\)", path)
+        folder = text.folder if found is None else self.package(found[1], text.folder)
+        rest = path if found is None else path[found.end() :].lstrip("/")
+        pattern = _COMPUTED.sub("*", rest)
+        if folder is None or not pattern.strip("*/.") or os.path.isabs(pattern):
+            return []
+        paths = islice(iglob(os.path.join(escape(folder), pattern)), MOST_MATCHES)
+        return [os.path.normpath(each) for each in paths]
+
     def resolve(self, text: Text, path: str) -> str | None:
         """Return the absolute path that a path written in a file means; None if nobody knows."""
         if "$" in path or not path:
@@ -371,11 +444,11 @@ class Workspace:
             for form in ("$(find ", "$(find-pkg-share "):
                 if path.startswith(form) and ")" in path:
                     name, _, rest = path[len(form) :].partition(")")
-                    folder = finder_of(self.settings).find(name.strip(), text.folder)
+                    folder = self.package(name.strip(), text.folder)
                     if folder is not None and "$" not in rest:
                         return os.path.normpath(folder + rest)
             return None
-        resolved = finder_of(self.settings).resolve_uri(path, text.folder)
+        resolved = self.finder.resolve_uri(path, text.folder)
         if resolved is None:
             return None
         if text.path.lower().endswith((".sdf", ".world")) and os.path.isdir(resolved):
@@ -392,8 +465,7 @@ class Workspace:
             return frozenset()
         else:
             written = [each.path for each in text.names.includes if each.path is not None]
-        paths = (self.resolve(text, path) for path in written)
-        return frozenset(path for path in paths if path is not None)
+        return frozenset(found for path in written for found in self.resolve_all(text, path))
 
     def note_includes(self, path: str, includes: frozenset[str]) -> bool:
         """Note which files a file includes; return whether that is news."""
@@ -420,7 +492,30 @@ class Workspace:
                 if each not in above:
                     above[each] = None
                     pending.append(each)
+        if len(mains) > 1 or mains != [path]:
+            mains = self._wanted_mains(path, mains)
         return mains or [path]
+
+    def _wanted_mains(self, path: str, mains: list[str]) -> list[str]:
+        """Return some main files without those that do not read an XML file after all."""
+        if not path.lower().endswith(XML_ENDINGS):
+            return mains
+        kept = []
+        for main in mains:
+            result = self.results.get(main)
+            if result is None or result.root is None or path in (main, *result.files):
+                kept.append(main)
+        if len(kept) > MOST_MAINS:  # a file that all robots of a package share
+            own = os.path.dirname(path)
+            kept.sort(
+                key=lambda each: (
+                    each not in self.open,
+                    each not in self.results,
+                    _distance(own, os.path.dirname(each)),
+                    each,
+                )
+            )
+        return kept[:MOST_MAINS]
 
     def program_of(self, path: str) -> list[Text]:
         """Return all files of the programs that a file is in, the file itself first."""
@@ -450,8 +545,20 @@ class Workspace:
         return {path: opened.text.text for path, opened in self.open.items()}
 
 
+def _distance(one: str, other: str) -> int:
+    """Return how many folders are between two folders."""
+    steps, others = one.split(os.sep), other.split(os.sep)
+    pairs = zip(steps, others, strict=False)
+    common = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], pairs))
+    return len(steps) + len(others) - 2 * common
+
+
 def scan(folders: Sequence[str], settings: Settings) -> dict[str, frozenset[str]]:
-    """Return which files the files in some folders include, without running any of them."""
+    """Return which files the files in some folders include, without running any of them.
+
+    The packages in the folders are found first, and noted in the settings.
+    """
+    settings.found = packages_in(folders)
     reader = Workspace()
     reader.settings = settings
     found = {}
@@ -461,13 +568,25 @@ def scan(folders: Sequence[str], settings: Settings) -> dict[str, frozenset[str]
         except LoadError:
             continue
         is_xml = path.lower().endswith(XML_ENDINGS[1:])
-        if is_xml and not (b"<mujoco" in data or b"<sdf" in data):
+        if is_xml and not any(sign in data for sign in (b"<mujoco", b"<sdf", b"<xacro:include")):
             continue
         if b"include" in data or b"attach" in data or b"<model" in data:
             includes = reader.includes_of(Text(path, data.decode("utf-8", "replace")))
             if includes:
                 found[path] = includes
     return found
+
+
+def packages_in(folders: Sequence[str]) -> dict[str, str]:
+    """Return the packages in some folders, except for names that several have."""
+    found: dict[str, str] = {}
+    several = set()
+    for folder in folders:
+        for own in package_folders(folder):
+            name = manifest_name(own)
+            if name is not None and found.setdefault(name, own) != own:
+                several.add(name)
+    return {name: own for name, own in found.items() if name not in several}
 
 
 def _files_in(folders: Sequence[str]) -> Iterator[str]:
@@ -500,4 +619,4 @@ def folders_of(parameters: Json) -> list[str]:
 
 def finder_of(settings: Settings) -> PackageFinder:
     """Return what finds packages."""
-    return PackageFinder(given=settings.packages)
+    return PackageFinder(given=settings.all_packages)

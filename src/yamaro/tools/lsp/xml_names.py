@@ -1,4 +1,4 @@
-"""Names in URDF, xacro, MJCF and SDF files: where they are defined, and their hovers."""
+"""Names in MJCF and SDF files: where they are defined, and their hovers; paths in all XML files."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ import re
 from ...model.values import content, content_span
 from ...source import Source, Span
 from ...sources.table import source_of
-from ...xacro.symbol_table import ARGUMENT, BLOCK, MACRO, PROPERTY, definition_of
 from ...xml.tree import Element
 from .parts import Reference, part_lines
 
@@ -22,7 +21,6 @@ if TYPE_CHECKING:
 _PATHS = (("xacro:include", "filename"), ("mesh", "filename"), ("texture", "filename"))
 _MJCF_FILES = ("include", "model")
 """The elements of MJCF whose files are MJCF, beside the file."""
-_NAMED = ("link", "joint", "material")
 _NAMED_IN_SDF = ("link", "joint", "frame", "model")
 _WORD = re.compile(r"[\w.:/-]+")
 
@@ -38,23 +36,26 @@ def format_of(root: Element | None) -> str:
     return source.name if source is not None else ""
 
 
-def written_paths(text: Text) -> list[tuple[str, Span]]:
-    """Return the paths that a file names, with their places."""
+def files_named_in(workspace: Workspace, text: Text) -> list[tuple[str | None, Span]]:
+    """Return the files that a file names, where they are known, with the places of the paths."""
     format = format_of(text.xml)
     if format == "mjcf":
-        return list(_files_in_mjcf(text.xml))
+        return [(workspace.resolve(text, path), span) for path, span in _files_in_mjcf(text.xml)]
     if format == "sdf":
         return [
-            (content(element) or "", content_span(element))
+            (workspace.resolve(text, content(element) or ""), content_span(element))
             for element in elements_in(text.xml)
             if element.name == "uri"
         ]
-    return [
-        (str(element.attributes[attribute]), element.value_span(attribute))
+    from .robot_xml import loaded_files, path_at
+
+    spans = [
+        element.value_span(attribute)
         for element in elements_in(text.xml)
         for name, attribute in _PATHS
-        if element.name == name and attribute in element.attributes
+        if element.name == name and element.attributes.get(attribute)
     ]
+    return [(path_at(workspace, text, span), span) for span in (*spans, *loaded_files(text))]
 
 
 def includes_in(text: Text) -> list[str]:
@@ -103,13 +104,6 @@ def word_at(text: Text, offset: int) -> str:
     return ""
 
 
-def is_in_expression(text: Text, offset: int) -> bool:
-    """Return whether an offset is in `${…}` or `$(…)`."""
-    line = text.text[text.text.rfind("\n", 0, offset) + 1 : offset]
-    opened = max(line.rfind("${"), line.rfind("$("))
-    return opened >= 0 and not re.search(r"[})]", line[opened:])
-
-
 def definitions_in_xml(workspace: Workspace, text: Text, offset: int) -> list[Span]:
     """Return where what is at an offset of an XML file is defined."""
     from .navigation import paths_in
@@ -117,34 +111,19 @@ def definitions_in_xml(workspace: Workspace, text: Text, offset: int) -> list[Sp
     for path in paths_in(workspace, text):
         if path.span.start <= offset <= path.span.end:
             return [Span(Source("", name=path.path, path=path.path), 0, 0)]
+    format = format_of(text.xml)
+    if not format:
+        from .robot_xml import definitions_in_robot
+
+        return definitions_in_robot(workspace, text, offset)
     word = word_at(text, offset)
     if not word:
         return []
     texts = [each for each in workspace.program_of(text.path) if not each.is_yaml]
-    format = format_of(text.xml)
     if format == "sdf":
         return [span for each in texts for span in _named_in_sdf(each.xml, word)]
-    if format == "mjcf":
-        kind, name = _meant_in_mjcf(text.xml, offset)
-        return [span for each in texts for span in _named_in_mjcf(each.xml, kind, name)]
-    if is_in_expression(text, offset):
-        names = {word, word.split(".")[-1]}
-        return [
-            span
-            for each in texts
-            for name, span, kind in defined_in(each)
-            if name in names and kind in (PROPERTY, BLOCK, ARGUMENT)
-        ]
-    tag = word.removeprefix("xacro:").rpartition(":")[2].rpartition(".")[2]
-    start = max(text.text.rfind("<", 0, offset), text.text.rfind("</", 0, offset))
-    is_tag = start >= 0 and not re.search(r"[\s>]", text.text[start:offset])
-    wanted = (MACRO,) if is_tag else _NAMED
-    return [
-        span
-        for each in texts
-        for name, span, kind in defined_in(each)
-        if name in (word, tag) and kind in wanted
-    ]
+    kind, name = _meant_in_mjcf(text.xml, offset)
+    return [span for each in texts for span in _named_in_mjcf(each.xml, kind, name)]
 
 
 def _named_in_sdf(root: Element | None, word: str) -> Iterator[Span]:
@@ -194,32 +173,22 @@ def _says(element: Element, attribute: str, value: str) -> bool:
     return element.attributes.get(attribute) == value
 
 
-def defined_in(text: Text) -> Iterator[tuple[str, Span, str]]:
-    """Yield what an XML file defines: the name, its place, and what it is."""
-    for element in elements_in(text.xml):
-        own = definition_of(element)
-        if "name" in element.attributes and (own is not None or element.name in _NAMED):
-            name = str(element.attributes["name"]) if own is None else own.name
-            kind = element.name if own is None else own.kind
-            yield name, element.value_span("name"), kind
-
-
 # --- hovers -----------------------------------------------------------------------------------
 
 
 def hover_in_xml(workspace: Workspace, text: Text, offset: int) -> tuple[list[str], Span | None]:
     """Return lines of Markdown on what is at an offset, and its place."""
+    if not format_of(text.xml):
+        from .robot_xml import hover_in_robot
+
+        return hover_in_robot(workspace, text, offset)
     word = word_at(text, offset)
     if not word:
         return [], None
     spans = definitions_in_xml(workspace, text, offset)
-    if is_in_expression(text, offset) or word.startswith("xacro:"):
-        lines = [line for span in spans[:3] for line in _written(workspace, span)]
-        return lines, None
-
     reference = Reference(word, spans[0] if spans else Span(text.source, offset, offset))
     lines = part_lines(workspace, text, reference)
-    if not lines and format_of(text.xml):  # a default class, an asset, a frame
+    if not lines:  # a default class, an asset, a frame
         lines = [line for span in spans[:3] for line in _written(workspace, span)]
     return lines, None
 

@@ -1,0 +1,253 @@
+"""URDF and xacro in an editor, over the protocol: a package of several files."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.tools.lsp.client import Client
+
+TREES = {"textDocument": {"documentSymbol": {"hierarchicalDocumentSymbolSupport": True}}}
+HEAD = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"'
+MAIN = f"""<?xml version="1.0"?>
+{HEAD} name="rover">
+  <xacro:arg name="mass" default="2"/>
+  <xacro:arg name="tool" default="gripper"/>
+  <xacro:include filename="$(find rover_parts)/urdf/leg.xacro"/>
+  <xacro:include filename="tools/$(arg tool).xacro"/>
+  <!-- how far the legs are apart -->
+  <xacro:property name="width" value="0.4"/>
+  <xacro:property name="half" value="${{width / 2}}"/>
+  <material name="steel"><color rgba="0.5 0.5 0.5 1"/></material>
+  <link name="base"/>
+  <xacro:leg prefix="left_" y="${{half}}" mass="$(arg mass)"/>
+  <xacro:leg prefix="right_" y="${{-half}}"/>
+  <xacro:gripper parent="left_foot"/>
+  <joint name="copy" type="revolute">
+    <parent link="base"/><child link="flag"/><axis xyz="0 0 1"/>
+    <limit lower="-1" upper="1" effort="5" velocity="2"/>
+    <mimic joint="left_hip"/>
+  </joint>
+  <link name="flag"><visual><geometry><box size="${{width}} 0.1 0.1"/></geometry>
+    <material name="steel"/></visual></link>
+</robot>
+"""
+LEG = f"""{HEAD}>
+  <!-- a leg with its foot -->
+  <xacro:macro name="leg" params="prefix y mass:=3 parent:=base">
+    <link name="${{prefix}}foot">
+      <inertial><mass value="${{mass}}"/>
+        <inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/></inertial>
+    </link>
+    <joint name="${{prefix}}hip" type="revolute">
+      <parent link="${{parent}}"/><child link="${{prefix}}foot"/>
+      <origin xyz="0 ${{y}} 0"/><axis xyz="0 1 0"/>
+      <limit lower="-1.5" upper="0.5" effort="10" velocity="3"/>
+    </joint>
+  </xacro:macro>
+</robot>
+"""
+GRIPPER = f"""{HEAD}>
+  <xacro:macro name="gripper" params="parent">
+    <link name="gripper"/>
+    <joint name="wrist" type="fixed"><parent link="${{parent}}"/><child link="gripper"/></joint>
+  </xacro:macro>
+</robot>
+"""
+NAMES = {
+    "rover/urdf/rover.urdf.xacro": MAIN,
+    "rover/urdf/tools/gripper.xacro": GRIPPER,
+    "rover/package.xml": "<package><name>rover</name></package>",
+    "common/deep/rover_parts/urdf/leg.xacro": LEG,
+    "common/deep/rover_parts/package.xml": "<package><name>rover_parts</name></package>",
+}
+
+
+@pytest.fixture
+def work(tmp_path: Path) -> Path:
+    for name, text in NAMES.items():
+        path = tmp_path / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+    return tmp_path
+
+
+@pytest.fixture
+def client(work: Path) -> Iterator[Client]:
+    with Client(work, capabilities=TREES) as made:
+        yield made
+        assert made.logs == []
+
+
+def named(work: Path, name: str) -> Path:
+    return next(work / each for each in NAMES if each.endswith(name))
+
+
+def at(path: Path, mark: str) -> dict[str, Any]:
+    """Return the parameters of a request about a `|` in a stretch of a file."""
+    text = path.read_text()
+    offset = text.index(mark.replace("|", "")) + mark.index("|")
+    place = {
+        "line": text.count("\n", 0, offset),
+        "character": offset - text.rfind("\n", 0, offset) - 1,
+    }
+    return {"textDocument": {"uri": path.as_uri()}, "position": place}
+
+
+def places(client: Client, path: Path, mark: str, method: str = "definition") -> list[str]:
+    context = {"context": {"includeDeclaration": True}}
+    found = client.request(f"textDocument/{method}", {**at(path, mark), **context})
+    return [f"{Path(each['uri']).name}:{each['range']['start']['line'] + 1}" for each in found]
+
+
+def hover(client: Client, path: Path, mark: str) -> str:
+    found = client.request("textDocument/hover", at(path, mark))
+    return "" if found is None else str(found["contents"]["value"])
+
+
+def built(client: Client, path: Path) -> None:
+    """Wait until a file that was opened has been built."""
+    uri = path.as_uri()
+    client.wait_for(lambda: sum(each["uri"] == uri for each in client.published) > 1)
+
+
+def test_hovers_have_the_values_of_the_main_file_in_all_its_files(
+    client: Client, work: Path
+) -> None:
+    main, leg = named(work, "rover.urdf.xacro"), named(work, "leg.xacro")
+    client.open(main)
+    built(client, main)
+    shown = hover(client, main, "${wid|th / 2}")
+    assert "how far the legs are apart" in shown
+    assert "value: `0.4`" in shown
+    assert "`${width / 2}` is `0.2`" in shown
+    assert "`${-half}` is `-0.2`" in hover(client, main, 'y="$|{-half}"')
+    assert "value: `2`" in hover(client, main, '<xacro:arg name="ma|ss"')
+    macro = hover(client, main, '<xacro:le|g prefix="left_"')
+    assert all(word in macro for word in ("a leg with its foot", "`prefix`", "`mass:=3`"))
+    assert "value: `left_`, `right_`" in hover(client, leg, 'params="pre|fix')
+    assert "default: `3`" in hover(client, leg, '"${ma|ss}"')
+    assert "value: `2`, `3`" in hover(client, leg, '"${ma|ss}"')
+    foot = hover(client, leg, '<link name="${prefix}fo|ot"')
+    assert "mass 2 kg" in foot
+    assert "mass 3 kg" in foot
+    hip = hover(client, main, '<mimic joint="left_h|ip"')
+    assert "from `base` to `left_foot`" in hip
+    assert "from -1.5 to 0.5 rad" in hip
+    assert "rgba 0.5 0.5 0.5 1" in hover(client, main, '<material name="st|eel"/>')
+    assert "the least position" in hover(client, main, 'low|er="-1"')
+
+
+def test_definitions_and_references_lead_across_files(client: Client, work: Path) -> None:
+    main, leg = named(work, "rover.urdf.xacro"), named(work, "leg.xacro")
+    client.open(main)
+    built(client, main)
+    assert places(client, main, '<xacro:le|g prefix="left_"') == ["leg.xacro:3"]
+    assert places(client, main, 'pre|fix="left_"') == ["leg.xacro:3"]
+    assert places(client, main, "${ha|lf}") == ["rover.urdf.xacro:9"]
+    assert places(client, main, "$(arg ma|ss)") == ["rover.urdf.xacro:3"]
+    assert places(client, main, "rover_parts)/urdf/le|g.xacro") == ["leg.xacro:1"]
+    assert places(client, main, '"tools/$(arg tool).xa|cro"') == ["gripper.xacro:1"]
+    assert places(client, main, 'parent link="ba|se"') == ["rover.urdf.xacro:11"]
+    assert places(client, main, 'parent="left_fo|ot"') == ["leg.xacro:4"]  # which a macro makes
+    assert places(client, main, 'mimic joint="left_h|ip"') == ["leg.xacro:8"]
+    assert places(client, main, 'material name="st|eel"/>') == ["rover.urdf.xacro:10"]
+    assert places(client, leg, '"${ma|ss}"') == ["leg.xacro:3"]
+    assert places(client, leg, 'child link="${prefix}fo|ot"') == ["leg.xacro:4"]
+    calls = ["leg.xacro:3", "rover.urdf.xacro:12", "rover.urdf.xacro:13"]
+    assert sorted(places(client, leg, 'macro name="le|g"', "references")) == calls
+    width = places(client, main, 'name="wid|th"', "references")
+    assert width == [f"rover.urdf.xacro:{line}" for line in (8, 9, 20)]
+    assert places(client, main, "$(arg ma|ss)", "references") == [
+        f"rover.urdf.xacro:{line}" for line in (3, 12)
+    ]
+
+
+def test_a_file_is_checked_in_the_robots_that_include_it(client: Client, work: Path) -> None:
+    leg, gripper = named(work, "leg.xacro"), named(work, "gripper.xacro")
+    uri = client.open(leg, LEG.replace("${y}", "${why}"))
+    client.wait_for(lambda: client.codes(uri) == ["xacro-undefined"])
+    found = client.diagnostics[uri][0]
+    line = LEG.splitlines().index(next(each for each in LEG.splitlines() if "${y}" in each))
+    column = LEG.splitlines()[line].index("y}")
+    assert found["range"] == {
+        "start": {"line": line, "character": column},
+        "end": {"line": line, "character": column + len("why")},
+    }
+    steps = [each["message"] for each in found["relatedInformation"]]
+    assert steps == ["called: xacro:leg"]
+    client.change(uri, 2, [{"text": LEG}])
+    client.wait_for(lambda: client.codes(uri) == [])
+    other = client.open(gripper)  # of which the main file computes the name
+    built(client, gripper)
+    assert "`left_foot`" in hover(client, gripper, "${par|ent}")
+    assert client.codes(other) == []
+
+
+def test_a_file_of_macros_that_nothing_includes_is_no_broken_robot(
+    client: Client, tmp_path: Path
+) -> None:
+    text = LEG.replace('"leg"', '"arm"')
+    uri = client.open(tmp_path / "arm.xacro", text)
+    plain = client.open(tmp_path / "plain.urdf", '<robot name="r"><lnik name="a"/></robot>')
+    client.wait_for(lambda: "no-link" in client.codes(plain))
+    assert client.codes(uri) == []
+
+
+def test_arguments_are_taken_from_the_settings(work: Path) -> None:
+    main = named(work, "rover.urdf.xacro")
+    options = {"arguments": {"rover.urdf.xacro": ["mass:=7"]}}
+    with Client(work, options=options) as client:
+        client.open(main)
+        built(client, main)
+        assert "value: `7`" in hover(client, main, '<xacro:arg name="ma|ss"')
+
+
+def test_the_outline_has_macros_properties_links_and_joints(client: Client, work: Path) -> None:
+    uri = client.open(named(work, "leg.xacro"))
+    symbols = client.request("textDocument/documentSymbol", {"textDocument": {"uri": uri}})
+
+    def shape(symbols: list[Any]) -> list[Any]:
+        return [
+            (each["name"], each["range"]["end"]["line"] + 1, *shape(each.get("children", [])))
+            for each in symbols
+        ]
+
+    assert shape(symbols) == [("leg", 13, ("${prefix}foot", 7), ("${prefix}hip", 12))]
+
+
+def test_half_written_xml_keeps_what_is_known(client: Client, work: Path) -> None:
+    main = named(work, "rover.urdf.xacro")
+    uri = client.open(main)
+    built(client, main)
+    for version, (old, new) in enumerate(
+        (
+            ('<link name="base"/>', '<link name="base"'),
+            ('<parent link="base"/>', "<parent li"),
+            ("<mimic", '<mimic joint="'),
+            ("  </joint>", ""),
+            ("</robot>", ""),
+            ("how far the legs", "how -- far"),
+            ('"0.4"', '"0.4 & ${wid"'),
+        ),
+        start=2,
+    ):
+        text = MAIN.replace(old, new)
+        client.change(uri, version, [{"text": text}])
+        client.wait_for(lambda: "xml-syntax" in client.codes(uri))
+        place = client.at(uri, text, "${-half}", after=4)
+        found = client.request("textDocument/hover", place)
+        assert "value: `0.2`" in found["contents"]["value"], new
+        found = client.request("textDocument/definition", place)
+        assert [each["range"]["start"]["line"] for each in found] == [8], new
+        symbols = client.request("textDocument/documentSymbol", {"textDocument": {"uri": uri}})
+        assert {"width", "half", "base", "flag"} <= set(names_in(symbols)), new
+
+
+def names_in(symbols: list[Any]) -> list[str]:
+    return [
+        name for each in symbols for name in (each["name"], *names_in(each.get("children", [])))
+    ]
