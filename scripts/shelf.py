@@ -37,6 +37,7 @@ def main() -> None:
     command.add_argument("arguments", nargs="*", metavar="a:=b", help="arguments of the xacro")
     command.add_argument("--license", help="that of the file, as SPDX spells it")
     command.add_argument("--with", nargs="*", default=[], dest="others", metavar="OWNER/REPOSITORY")
+    command.add_argument("--call", default="", help="XML after the file's, such as <xacro:a200/>")
     command.add_argument("--model", default="", help="one of several: writes vendor_MODEL.json")
     command.add_argument("--set", nargs="*", default=[], metavar="a=b", help="of our own robot")
     command.set_defaults(run=record)
@@ -70,11 +71,12 @@ def record(options: argparse.Namespace) -> None:
         repository = source["repository"].removeprefix("https://github.com/")
         others = [each["repository"].removeprefix("https://github.com/") for each in source["with"]]
         file, arguments, licence = source["file"], source["arguments"], source["license"]
-        chosen = known["set"]
+        chosen, call = known["set"], source.get("call", "")
     else:
         owner, name, file = options.file.split("/", 2)
         repository, others, arguments = f"{owner}/{name}", options.others, options.arguments
-        licence, chosen = options.license, dict(word.split("=", 1) for word in options.set)
+        licence, call = options.license, options.call
+        chosen = dict(word.split("=", 1) for word in options.set)
         if not licence:
             raise SystemExit("--license is missing: read that of the repository")
     clone = cloned(repository)
@@ -82,13 +84,14 @@ def record(options: argparse.Namespace) -> None:
         reader, found = "mujoco", shelf.read_mjcf(clone / file)
         read = [clone / file]
     else:
-        text, read = expanded(clone / file, arguments, [clone, *map(cloned, others)])
+        text, read = expanded(clone / file, arguments, [clone, *map(cloned, others)], call)
         reader, found = "yourdfpy", shelf.read_urdf(text)
         compare_with_pinocchio(text, found)
     source = {
         **at_commit(repository),
         "file": file,
         "arguments": arguments,
+        **({"call": call} if call else {}),
         "with": [at_commit(other) for other in others],
         "license": licence,
         "lines": sum(shelf.lines_of(one.read_text("utf-8"), is_xml=is_xml(one)) for one in read),
@@ -119,8 +122,25 @@ def at_commit(repository: str) -> dict[str, str]:
     return {"repository": f"https://github.com/{repository}", "commit": done.stdout.strip()}
 
 
-def expanded(path: Path, arguments: list[str], clones: list[Path]) -> tuple[str, list[Path]]:
-    """Return what xacro makes of a file, and the files that it read."""
+CALLER = """\
+<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="caller">
+<xacro:include filename="{path}"/>
+{call}
+</robot>
+"""
+
+
+def expanded(
+    path: Path, arguments: list[str], clones: list[Path], call: str
+) -> tuple[str, list[Path]]:
+    """Return what xacro makes of a file, and the files that it read.
+
+    Args:
+        path: the file.
+        arguments: what is passed to it, as name:=value.
+        clones: where packages are found.
+        call: what follows it in a robot, where the file has only macros.
+    """
     import xacro
     from xacro import substitution_args
 
@@ -141,7 +161,11 @@ def expanded(path: Path, arguments: list[str], clones: list[Path]) -> tuple[str,
     os.environ.setdefault("ROS_DISTRO", "jazzy")
     os.chdir(path.parent)
     mappings = dict(word.split(":=", 1) for word in arguments)
-    document = xacro.process_file(str(path), mappings=mappings)
+    start = path
+    if call:
+        start = CLONES / "caller.xacro"
+        start.write_text(CALLER.format(path=path, call=call), encoding="utf-8")
+    document = xacro.process_file(str(start), mappings=mappings)
     read = [path, *(Path(name).resolve() for name in xacro.all_includes)]
     return document.toprettyxml(indent="  "), list(dict.fromkeys(read))
 
