@@ -14,7 +14,7 @@ from .shapes import Box, Capsule, Cylinder
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Sequence
+    from collections.abc import Callable, Iterable, Iterator, Sequence
 
     from .pose import Pose, Vector
     from .shapes import SimpleShape
@@ -136,6 +136,24 @@ def near(shapes: Sequence[Convex]) -> Iterator[tuple[int, int]]:
             if x * x + y * y + z * z < reach * reach:
                 yield (other, index) if other < index else (index, other)
         open_ones.append(index)
+
+
+def overlapping(
+    shapes: Sequence[Convex], owners: Sequence[str], may: Callable[[str, str], bool]
+) -> tuple[tuple[int, int], ...]:
+    """Return pairs of shapes, by index, that overlap: the first pair of each two owners.
+
+    Args:
+        shapes: the shapes.
+        owners: whose they are.
+        may: whether shapes of two owners count.
+    """
+    found: dict[tuple[str, str], tuple[int, int]] = {}
+    for index, other in sorted(near(shapes)):
+        pair = (owners[index], owners[other])
+        if pair not in found and may(*pair) and overlap(shapes[index], shapes[other]):
+            found[pair] = (index, other)
+    return tuple(found.values())
 
 
 def overlap(first: Convex, second: Convex) -> bool:

@@ -12,7 +12,7 @@ from __future__ import annotations
 from itertools import combinations
 
 from ..meshes.formats import MeshFileError, MissingLibraryError
-from ..model.convex import Convex, near, outer_points, overlap
+from ..model.convex import Convex, outer_points, overlapping
 from ..model.joint import FIXED, FLOATING, PLANAR, SINGLE
 from ..model.kinematics import link_poses
 from ..model.positions import home_positions
@@ -208,18 +208,16 @@ def _overlapping(
         joint = robot.parent_joint(name)
         carrier = rigid[joint.parent] if joint is not None else None
         above[name] = carrier if carrier not in still else None
-    found: set[tuple[str, str]] = set()
-    for index, other in sorted(near([solid.convex for solid in solids])):
-        first, second = solids[index], solids[other]
-        one, two = rigid[first.link.name], rigid[second.link.name]
+
+    def may_touch(one: str, two: str) -> bool:
+        one, two = rigid[one], rigid[two]
         if one == two or above[one] == two or above[two] == one:
-            continue
-        if one in still and two in still:
-            continue
-        pair = (first.link.name, second.link.name)
-        if pair not in found and overlap(first.convex, second.convex):
-            found.add(pair)
-            yield first.link, second.link
+            return False
+        return not (one in still and two in still)
+
+    shapes, names = [each.convex for each in solids], [each.link.name for each in solids]
+    for first, second in overlapping(shapes, names, may_touch):
+        yield solids[first].link, solids[second].link
 
 
 def _adjacent(

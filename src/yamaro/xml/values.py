@@ -10,6 +10,7 @@ from ..source import Span
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Iterable
     from typing import Any, TypeVar
 
     Key = TypeVar("Key")
@@ -60,7 +61,7 @@ class Numbers:
     @classmethod
     def spelled(cls, words: tuple[str, ...]) -> Numbers:
         """Return the numbers of words, each of which is a finite number."""
-        values = tuple(map(float, words))
+        values = floats(words)
         return cls(words, values, values)
 
     @classmethod
@@ -79,7 +80,7 @@ class Numbers:
             """Read the words when their numbers are first asked for."""
             if name != "written":
                 raise AttributeError(name)
-            self.written = tuple(map(float, self.words))
+            self.written = floats(self.words)
             return self.written
 
     def one_by_one(self) -> list[Numbers]:
@@ -102,6 +103,11 @@ class Numbers:
 
     def __repr__(self) -> str:
         return f"<Numbers '{self.text}'>"
+
+
+def floats(words: Iterable[str]) -> tuple[float, ...]:
+    """Return the numbers that words are; raise ValueError if one of them is not a number."""
+    return tuple(map(float, words))
 
 
 def remember(known: dict[Key, Value], key: Key, value: Value) -> None:

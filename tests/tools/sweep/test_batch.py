@@ -68,10 +68,10 @@ def fields_of(model: Any) -> dict[str, Any]:
 def test_the_arrays_are_those_of_each_variant_compiled_by_itself() -> None:
     mujoco = require_module("mujoco")
     words = ["robot.yaml", "length=100..300", "load=1..3", "gain=log:5..50", "legs:=3"]
-    options = ["--samples", "6", "--keep", "load < 2.5", "--engine", "local:2"]
+    options = ["--samples", "40", "--keep", "load < 2.5", "--engine", "local:2"]
     assert main(["sweep", *words, *options, "--batch", "out/legs.npz"]) == 0
     batch = np.load("out/legs.npz")
-    assert 0 < len(batch["id"]) < 6  # some have too much load
+    assert 0 < len(batch["id"]) < 40  # some have too much load
     own = fields_of(mujoco.MjModel.from_xml_path("out/legs.xml"))
     assert {"body_mass", "body_inertia", "jnt_range", "actuator_gainprm"} <= set(batch.files)
     for row in range(len(batch["id"])):

@@ -55,7 +55,7 @@ def heights_at(writing: Writing, poses: Mapping[str, Pose]) -> dict[str, float]:
     return {
         link: round(-height, DIGITS) + 0.0
         for link, height in lowest.items()
-        if height < 0 or writing.robot.parent_joint(link) is None
+        if writing.robot.parent_joint(link) is None or height < 0
     }
 
 

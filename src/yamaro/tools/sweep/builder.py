@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from hashlib import sha256
 from typing import Any
 
-from ...diagnostics import YamaroError
+from ...diagnostics import WARNING, Diagnostic, YamaroError, failure
 from ...files.regular import open_regular
 from ...model.kinematics import base_of
 from ...model.robot import Robot
@@ -89,20 +89,24 @@ class Builder:
         self._program.parse()
         self._known_assets: set[str] = set()
         self._comparison: Comparison | None = None
+        self._first: Row | None = None
         self.files: dict[str, str] = {}
         if plan.is_batch:
             from .batch import Comparison
+            from .replaying import Replays
 
             self._comparison = Comparison()
+            self._replays = Replays(plan, self._text)
             if plan.first is not None:
                 (arguments,) = self._space.variants(plan.first, plan.first + 1)
-                self.row(plan.first, arguments)
+                self._first = self.row(plan.first, arguments)
 
     def rows(self, start: int, stop: int) -> Iterator[Row]:
         """Build variants from `start` up to `stop`; yield a row for each."""
         self._known_assets.clear()
         for index, arguments in enumerate(self._space.variants(start, stop), start):
-            yield self.row(index, arguments)
+            known = self._first if self._first and self._first.index == index else None
+            yield known or self.row(index, arguments)
 
     def row(self, index: int, arguments: Mapping[str, object]) -> Row:
         """Build and evaluate one variant, and return what is known of it."""
@@ -111,17 +115,15 @@ class Builder:
             if not self._space.is_kept(arguments):
                 row.status = REJECTED
                 return row
+            if self._comparison is not None and self._replay(row):
+                return row
             # What is not noted of a build is freed in the thread that made it, which is faster.
             self._program.compile(
                 self._options(index, arguments), lambda build: self._fill(row, build)
             )
         except YamaroError as error:
             found = first_error(error.diagnostics)
-            source, place = found.span.source, ""
-            if source.path or source.text:
-                line, column = found.span.location()
-                place = f"{self._shown(source.path or source.name)}:{line}:{column}"
-            return row.fail(found.code, self._shown(found.message), place)
+            return row.fail(found.code, self._shown(found.message), self._place(found))
         except MemoryError:
             return row.fail(OUT_OF_MEMORY, "there is not enough memory for this variant")
         except SystemExit as error:
@@ -159,7 +161,7 @@ class Builder:
         plan = self._plan
         outputs = build.outputs or {"urdf": build}
         if self._comparison is not None:
-            self._comparison.note(row, outputs[MJCF])
+            self._compare(row, outputs[MJCF])
             return
         for format in plan.hashed():
             text = outputs[format].xml().encode()
@@ -181,6 +183,64 @@ class Builder:
             arguments = {**plan.fixed, **row.arguments}
             variant = Variant(row.index, arguments, build, self._models or self._home)
             row.metrics = plan.evaluation(variant)
+
+    # --- batches ---
+
+    def take(self) -> dict[str, Any]:
+        """Return the fields of the variants of a batch since the last time."""
+        return {} if self._comparison is None else self._comparison.take()
+
+    def _text(self, arguments: dict[str, Any]) -> str:
+        """Return the MJCF of a variant."""
+        options = self._options(0, arguments)
+        return self._program.compile(options, lambda build: (build.outputs or {})[MJCF].xml())
+
+    def _replay(self, row: Row) -> bool:
+        """Note what there is to know of a variant without building it; return whether that is."""
+        assert self._comparison is not None
+        document, is_checked = self._replays.find(row.index, row.arguments)
+        if document is None or self._comparison.first is None:
+            return False
+        if is_checked and self._text(row.arguments) != document.text:
+            row.is_unequal = True
+            return True
+        try:
+            self._comparison.note(row, document.text, document.files)
+        except ValueError:  # the build says where
+            return False
+        row.warnings = document.warnings
+        return True
+
+    def _compare(self, row: Row, build: Build) -> None:
+        """Compare a variant that was built with the first one, and record how it was built.
+
+        Raises:
+            YamaroError: MuJoCo refuses it.
+        """
+        from .replaying import Document
+
+        assert self._comparison is not None
+        row.warnings = [
+            (each.code, self._place(each), self._shown(each.message))
+            for each in build.warnings
+            if each.severity == WARNING
+        ]
+        document = Document(build.xml(), dict(build.assets), row.warnings)
+        try:
+            self._comparison.note(row, document.text, document.files)
+        except ValueError as error:
+            message = f"MuJoCo refuses the robot: {' '.join(str(error).split())}"
+            raise failure("mujoco-refused", message, build.robot.span) from None
+        if not row.unlike:
+            self._replays.learn(row.arguments, document)
+
+    def _place(self, diagnostic: Diagnostic) -> str:
+        """Return where something was found, as `file:line:column`, or ""."""
+        source = diagnostic.span.source
+        if not (source.path or source.text):
+            return ""
+        line, column = diagnostic.span.location()
+        return f"{self._shown(source.path or source.name)}:{line}:{column}"
 
     def _shown(self, text: str) -> str:
         """Return a text in which paths begin in the folder of the robot, wherever that is."""

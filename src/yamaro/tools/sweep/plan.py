@@ -253,6 +253,8 @@ class Plan:
         evaluation: evaluates variants, or None.
         models: whether the models are kept.
         is_batch: whether MuJoCo compiles each variant for a batch.
+        is_recorded: whether variants of a batch are replayed that are built alike.
+        checked: the numbers of variants of a batch that are built as well.
         first: the variant with which others of a batch are compared; None if it is to be found.
         options: those of the builds, except for what is passed, the formats and the output.
         seconds: how long a variant may take.
@@ -277,6 +279,8 @@ class Plan:
         self.evaluation: Evaluation | None = None
         self.models = False
         self.is_batch = False
+        self.is_recorded = False
+        self.checked: frozenset[int] = frozenset()
         self.first: int | None = None
         self.seconds = SECONDS
         self.memory = 0

@@ -43,13 +43,15 @@ class Row:
         documents: the documents and what belongs to each, by the ends of file names; if the models
             are kept.
         assets: the meshes that they share, by path.
-        fields: of a batch, the arrays of MuJoCo's model that differ from the first variant's.
+        fields: of the first variant of a batch, the arrays of MuJoCo's model.
         unlike: of a batch, the name of a field that differs but cannot, or "".
+        is_unequal: of a batch, whether what was recorded gives another document than a build.
+        warnings: of a batch, what was found: code, place and message.
     """
 
     __slots__ = (
-        "arguments", "assets", "code", "documents", "fields", "hashes", "index", "message",
-        "metrics", "place", "status", "topology", "unlike",
+        "arguments", "assets", "code", "documents", "fields", "hashes", "index",
+        "is_unequal", "message", "metrics", "place", "status", "topology", "unlike", "warnings",
     )  # fmt: skip
 
     def __init__(self, index: int, arguments: Mapping[str, object], status: str = OK) -> None:
@@ -66,6 +68,8 @@ class Row:
         self.assets: dict[str, bytes] = {}
         self.fields: dict[str, Any] = {}
         self.unlike = ""
+        self.is_unequal = False
+        self.warnings: Sequence[tuple[str, str, str]] = ()
 
     def fail(self, code: str, message: str, place: str = "") -> Row:
         """Note why the variant failed, and return the row."""

@@ -78,7 +78,7 @@ def main() -> None:
             start, stop = receive(requests)
             for row in builder.rows(start, stop):
                 send(answers, (ROW, row))
-            send(answers, (DONE, builder.files))
+            send(answers, (DONE, (builder.files, builder.take())))
     except (EOFError, OSError):
         return
 
@@ -168,12 +168,14 @@ class Child:
     Attributes:
         run: which run of a plan it serves.
         files: the hashes of the files that it has read.
+        fields: of a batch, those of the last variants.
     """
 
     def __init__(self, plan: Plan, folder: str) -> None:
         """Start the process."""
         self.run = plan.run
         self.files: dict[str, str] = {}
+        self.fields: dict[str, Any] = {}
         self._seconds = plan.seconds
         self._until = monotonic() + START_UP
         self._is_late = self._is_ready = self._is_closed = False
@@ -230,7 +232,8 @@ class Child:
             kind, content = self._answer()
             if kind == DONE:
                 self._until = float("inf")
-                self.files.update(content)
+                files, self.fields = content
+                self.files.update(files)
                 return
             self._until = monotonic() + self._seconds
             yield content
