@@ -22,6 +22,7 @@ least processor time of five runs in turns. A model of 100 bodies of plain shape
 from __future__ import annotations
 
 import argparse
+import os
 import re
 import signal
 import sys
@@ -372,13 +373,16 @@ def main() -> None:
         plain.write_text(hundred_bodies(), encoding="utf-8")
         paths = [str(plain), *paths]
     jobs = [(path, options.mode, options.seconds, options.keep) for path in paths[:: options.every]]
-    with Pool(options.jobs, maxtasksperchild=20) as pool:
-        verdicts = [each for each in pool.imap(judge, jobs) if each is not None]
-    if options.table:
-        lines = [
-            f"{each.path}\t{each.kind}\t{each.why}\t{', '.join(each.told)}" for each in verdicts
-        ]
-        options.table.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    verdicts = []
+    with (
+        Pool(options.jobs, maxtasksperchild=20) as pool,
+        open(options.table or os.devnull, "w", encoding="utf-8") as table,
+    ):
+        for each in pool.imap(judge, jobs):
+            if each is not None:
+                verdicts.append(each)
+                line = (each.path, each.kind, each.why, ", ".join(each.told))
+                print(*line, sep="\t", file=table, flush=True)
     if options.mode == "times":
         for each in sorted(verdicts, key=lambda each: float(each.why.rpartition(" ")[2])):
             print(f"{each.path}: {each.why}")

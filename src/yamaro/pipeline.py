@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from .runtime.files import Library
     from .runtime.interpreter import ReadSource
     from .source import Source, Span
+    from .targets.losses import Loss
     from .targets.output import Output
 
     Say = Callable[[str], None]
@@ -167,6 +168,17 @@ class Run:
             return True
         return not TELLTALES.isdisjoint(names)
 
+    @property
+    def _tells_losses(self) -> bool:
+        """Return whether URDF that nobody asked for by name is written from another format.
+
+        What is in files of such formats is then reported if it is lost. Who writes YAML or xacro
+        writes URDF, and is told no more than what makes it wrong.
+        """
+        options = self._request.options
+        is_written = (options.alone or options.output is not None) and not options.partial
+        return is_written and bool(self._interpreter.foreign)
+
     def build(self, format: str | None = None) -> Build:
         """Return the build of one format, None for URDF or other XML that nobody asked for by name.
 
@@ -235,6 +247,10 @@ class Run:
             document = output.root or self.root
             finished = document if is_urdf else self.root
             text = output.text if output.text or output.root is None else None
+        losses: Sequence[Loss] = () if output is None else output.losses
+        if format is None and self._tells_losses:
+            foreign = {id(source) for source in interpreter.foreign}
+            losses = [each for each in losses if id(each.span.source) in foreign]
         if is_urdf and self._has_files:
             document = request.paths.applied_to(document)
         noted = interpreter.noted
@@ -251,15 +267,15 @@ class Run:
             format=format or URDF,
             file_name=file_name,
             document=None if document is self.root or is_urdf else document,
-            losses=() if output is None or format is None else output.losses,
+            losses=losses if format is not None or self._tells_losses else (),
             assets=None if output is None else output.files,
         )
         if output is None:
             return build, ()
         from .targets.losses import diagnostics_of
 
-        losses = [] if request.options.partial else diagnostics_of(output.losses, build.format)
-        return build, [*output.warnings, *losses]
+        told = [] if request.options.partial else diagnostics_of(losses, build.format)
+        return build, [*output.warnings, *told]
 
     def _output_in(self, format: str) -> Output:
         """Return the robot in another format, without meshes, from the run for that format."""
@@ -276,7 +292,8 @@ class Run:
     ) -> Output | None:
         """Return what the writer of a format gives, None for a tree that is written as it is."""
         request, options = self._request, self._request.options
-        if format is None and not (options.gazebo and self.notes) and not self._has_loops:
+        tells = format is not None or self._tells_losses
+        if not tells and not (options.gazebo and self.notes) and not self._has_loops:
             return None
         if format == URDF and options.partial and self.root.name != "robot":
             return None
@@ -296,7 +313,7 @@ class Run:
             name=request.stem,
             is_fixed=base_of(robot, options.base)[0] == FIXED,
             paths=request.paths,
-            is_named=format is not None,
+            is_named=tells,
             has_meshes=has_meshes and options.meshes != NONE,
             has_gazebo=options.gazebo,
             repairs_inertia=options.repair_inertia,

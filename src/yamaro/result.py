@@ -30,7 +30,8 @@ class Build(Public):
         files: the absolute path of every file read, in order.
         file_name: what its file is called; "" if it was built for no file.
         format: the output format: `urdf` (also for other XML), `sdf`, `mjcf`, `srdf` or `usd`.
-        losses: what the format cannot hold as it is, if a format was asked for.
+        losses: what the format cannot hold as it is, if a format was asked for, or
+            MJCF or SDF is written as URDF.
         refused: why formats that were asked for are not in `outputs`, by their names.
         outputs: the builds of all formats that were asked for together, this one among them.
         finder: finds the files of meshes and textures.

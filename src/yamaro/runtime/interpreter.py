@@ -180,6 +180,7 @@ class Interpreter:
         self.has_raw_blocks = self.has_blocks = False  # one is reached; one is not for URDF
         self.depends_on_format = False  # shapes are not the same for each output format
         self.has_parts = self.has_notes = self.is_robot = False
+        self.foreign: list[Source] = []  # files that were read of formats besides URDF and xacro
         self.statements_left = policy.limits.statements
         self.depth = self.part_depth = 0
         self.element_depth = 0  # of XML elements below the <robot>

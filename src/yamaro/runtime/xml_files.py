@@ -57,9 +57,17 @@ def read_robot(interpreter: Interpreter, root: Element) -> Element:
         main=root.span.source,
         has_environment=False,
     )
-    robot = interpreter.read_source(root, host.read)
+    foreign = [root.span.source]
+
+    def read(path: str, span: Span) -> Source:
+        source = host.read(path, span)
+        foreign.append(source)
+        return source
+
+    robot = interpreter.read_source(root, read)
     if robot is None:
         return root
+    interpreter.foreign += foreign
     interpreter.has_notes = interpreter.has_blocks = True
     return robot
 

@@ -8,6 +8,7 @@ from ..model.values import attribute_text, content, numbers_in
 from ..xml.tree import SAID, Element
 from .losses import Losses
 from .table import TARGETS
+from .translation import Translation
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -184,7 +185,7 @@ class RawXmlOf:
         """Gather the elements for a format of a robot."""
         self._left: dict[tuple[str, str], list[RawXml]] = {}
         self.robot: list[Element] = []
-        for raw in robot.raw(format):
+        for raw in Translation(robot, format).blocks:
             if raw.link is not None:
                 self._left.setdefault(("link", raw.link), []).append(raw)
             elif raw.joint is not None:
@@ -224,7 +225,7 @@ def lost_blocks(robot: Robot, format: str) -> Losses:
 
     What YAML says for another format is not run, so that it is in no robot.
     """
-    found = Losses()
+    found, taken = Losses(), Translation(robot, format).taken
     for raw in robot.raw():
         if raw.format == format:
             continue
@@ -238,7 +239,7 @@ def lost_blocks(robot: Robot, format: str) -> Losses:
             known = {each.name for each in link.visuals} | {each.name for each in link.collisions}
             known |= {joint.child for joint in robot.joints_below(link.name) if joint.is_fixed}
         for each in raw.elements:
-            if is_typed and each.name in _OF_TYPES:
+            if id(each) in taken or (is_typed and each.name in _OF_TYPES):
                 continue
             is_section = each.name in _SECTIONS and raw.format == "mjcf"
             inner = each.elements() if is_section else [each]
@@ -288,6 +289,8 @@ def _what(robot: Robot, raw: RawXml, element: Element, title: str, known: Collec
         if element.name == "type" and raw.joint is not None:  # a joint that is fixed in the model
             return f"{title}'s {element.text().strip()} joints"
         return f"{title}'s values of '{element.name}'"
+    if element.name == "joint" and raw.link is not None:
+        return f"{title}'s {attribute_text(element, 'type') or 'hinge'} joints"
     name = attribute_text(element, "name")
     is_detail = name in known or (raw.joint in robot.actuators and raw.joint is not None)
     is_detail |= element.name == "joint" and "joint1" in element.attributes

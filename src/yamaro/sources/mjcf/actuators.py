@@ -302,11 +302,14 @@ class Drives:
         """Return what the block of the robot says: those of no joint, in the order of all."""
         drives = [drive for _, drive in self.all if drive is not None]
         places = {name: index for index, name in enumerate(self._joints)}
-        joints = [places[drive.joint] for drive in drives]
+        notes = [drive.joint for drive in drives if drive.is_noted]
+        ranks = {name: rank for rank, name in enumerate(notes)}
+        # The writer of MJCF puts those with notes first, then those in the blocks of joints.
+        ordered = sorted(drives, key=lambda d: (ranks.get(d.joint, len(notes)), places[d.joint]))
         rest = self.all
         is_first = all(drive is not None for _, drive in self.all[: len(drives)])
-        if is_first and (all(drive.is_noted for drive in drives) or joints == sorted(joints)):
-            rest = self.all[len(drives) :]  # the notes, or else the joints, are in this order
+        if is_first and ordered == drives:
+            rest = self.all[len(drives) :]
         found = []
         for thing, drive in rest:
             if drive is None:

@@ -401,9 +401,11 @@ class Builder:
             element.attributes["name"] = site.name or name
             self.keep(body.name, element)
 
-    def add_fixed(self, thing: Thing, name: str, parent: str, child: str, pose: Pose) -> None:
-        """Add a fixed joint between two links."""
-        name = self.fresh("joint", name)
+    def add_fixed(
+        self, thing: Thing, name: str, parent: str, child: str, pose: Pose, *, ball: str = ""
+    ) -> None:
+        """Add a fixed joint between two links; `ball` is the name of the ball that it is."""
+        name = ball or self.fresh("joint", name)
         self.above[child] = name
         place = Place(thing.span)
         origin = self.origin(thing, pose)

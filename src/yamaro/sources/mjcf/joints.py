@@ -64,7 +64,8 @@ def add_joints(builder: Builder, body: Body, parent: str) -> None:
     if not ends_in_body:
         x, y, z = at
         pose = origin @ Pose(UNTURNED, (-x, -y, -z)) if moving else origin
-        builder.add_fixed(body.thing, f"{body.name}_fixed", parent, body.name, pose)
+        ball = body.joints[0].name if kinds == ["ball"] else ""
+        builder.add_fixed(body.thing, f"{body.name}_fixed", parent, body.name, pose, ball=ball)
 
 
 def _place(joint: Placed, kind: str) -> Vector | None:

@@ -13,6 +13,7 @@ from ...xml.tree import OF_ATTACHED, Element
 from ...xml.values import format_value
 from ..foreign_xml import elements_of, settings_in
 from ..losses import Losses
+from ..translation import Translation
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -54,7 +55,7 @@ class Blocks:
     def __init__(self, robot: Robot) -> None:
         self._blocks: dict[tuple[str, str], list[RawXml]] = {}
         self.sections: list[Element] = []
-        for raw in robot.raw("mjcf"):
+        for raw in Translation(robot, "mjcf").blocks:
             if raw.link is not None:
                 self._blocks.setdefault(("link", raw.link), []).append(raw)
             elif raw.joint is not None:

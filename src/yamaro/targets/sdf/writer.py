@@ -14,6 +14,7 @@ from ..holding import cones, lost_sections, renamed_sensors
 from ..inertia import Inertias
 from ..output import Output
 from ..table import TARGETS
+from ..translation import Translation
 from .blocks import merged, type_in
 from .gazebo import GazeboBlocks, physics_of
 from .joints import JointWriter
@@ -65,7 +66,9 @@ class _Model:
         self._losses += foreign_losses(robot, taken=("gazebo",))
         self._raw = RawXmlOf(robot, "sdf")
         self._moved = {  # joints that a block has elsewhere than in the frame of their child
-            raw.joint for raw in robot.raw("sdf") if any(e.name == "pose" for e in raw.elements)
+            raw.joint
+            for raw in Translation(robot, "sdf").blocks
+            if any(e.name == "pose" for e in raw.elements)
         }
         self._copier = SensorCopier(self._version, self._losses)
         self._copied = self._blocks.copied_sensors()
