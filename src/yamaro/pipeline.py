@@ -173,7 +173,7 @@ class Run:
         """Return whether URDF that nobody asked for by name is written from another format.
 
         What is in files of such formats is then reported if it is lost. Who writes YAML or xacro
-        writes URDF, and is told no more than what makes it wrong.
+        writes URDF, and hears no more than what makes it wrong.
         """
         options = self._request.options
         is_written = (options.alone or options.output is not None) and not options.partial

@@ -104,3 +104,25 @@ def test_an_attached_robot_does_not_decide_for_the_whole(compiled) -> None:
     names = [both.key(i).name for i in range(both.nkey)]
     assert names == ["home"]
     assert both.key("home").qpos == pytest.approx([0.4, 0.4])
+
+
+def test_attached_documents_are_merged_as_mujoco_does(tmp_path) -> None:
+    mujoco = oracles.require_module("mujoco")
+    inner = '<site name="world"/><body name="b"><geom size="1"/><site name="tip"/></body>'
+    option = 'timestep="{0}" iterations="{1}" ls_tolerance="{0}" sdf_initpoints="{1}"'
+    (tmp_path / "inner.xml").write_text(
+        f'<mujoco model="inner"><option {option.format("0.003", 70)}/>'
+        f"<worldbody>{inner}</worldbody>"
+        '<tendon><spatial><site site="world"/><site site="tip"/></spatial></tendon></mujoco>'
+    )
+    (tmp_path / "outer.xml").write_text(
+        f'<mujoco><compiler conflict="merge"/><option {option.format("0.004", 60)}/>'
+        '<asset><model name="m" file="inner.xml"/></asset>'
+        '<worldbody><attach model="m" prefix="in_"/></worldbody></mujoco>'
+    )
+    made = yamaro.build(tmp_path / "outer.xml", target="mjcf").xml()
+    ours = mujoco.MjModel.from_xml_string(made)
+    source = mujoco.MjModel.from_xml_path(str(tmp_path / "outer.xml"))
+    assert ours.site("in_world").id == source.site("in_world").id
+    for name in ("timestep", "iterations", "ls_tolerance", "sdf_initpoints"):
+        assert getattr(ours.opt, name) == getattr(source.opt, name)

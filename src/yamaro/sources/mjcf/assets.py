@@ -161,4 +161,4 @@ def _name_of(thing: Thing) -> str:
     if thing.name or not file:
         return thing.name
     stem = os.path.splitext(os.path.basename(file.replace("\\", "/")))[0]
-    return thing.context.named(stem)
+    return thing.context.named(stem, thing.kind)

@@ -89,7 +89,7 @@ class MeshAsset:
         self.name = thing.name
         if not self.name:
             stem = os.path.basename(file.replace("\\", "/")).rpartition(".")[0]
-            self.name = thing.context.named(stem)
+            self.name = thing.context.named(stem, thing.kind)
         if not self.name:
             raise fault("this mesh has neither a name nor a file", thing.span, 'write name="…"')
         given = thing.given

@@ -159,10 +159,12 @@ def _merge(own: Element, given: Element) -> None:
         if name not in own.attributes:
             own.attributes[name] = value
         elif str(own.attributes[name]) != value:
-            if given.name == "option" and name != "timestep":
+            is_count = name.endswith("iterations") or name == "sdf_initpoints"
+            is_step = name.endswith("tolerance") or name == "timestep"
+            if given.name == "option" and not (is_count or is_step):
                 raise _conflict(given, name)
-            least = MERGED[given.name]
-            own.attributes[name] = least(str(own.attributes[name]), str(value), key=_size)
+            taken = max if is_count else MERGED[given.name]  # the finer of two
+            own.attributes[name] = taken(str(own.attributes[name]), str(value), key=_size)
     for each in given.elements():
         mine = _inside(own, each.name)
         if mine is None:

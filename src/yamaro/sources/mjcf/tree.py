@@ -6,7 +6,7 @@ import os
 
 from ...diagnostics import YamaroError, failure
 from ...model.pose import IDENTITY, Pose
-from ...xml.mjcf_references import OBJECTS, REFERENCES, words
+from ...xml.mjcf_references import OBJECTS, REFERENCES, kind_in, words
 from ...xml.reader import read_xml
 from ...xml.tree import Element
 from .classes import Classes, unknown
@@ -51,12 +51,14 @@ class Thing:
         self.kind = element.name
         self.context = context
         name = given.pop("name", None)
-        self.name = context.named(name[0]) if name is not None and name[0] else ""
+        self.name = context.named(name[0], self.kind) if name is not None and name[0] else ""
         given.pop("class", None)
         if context.prefix or context.suffix:
             for attribute in NAMING & given.keys():
                 value, span = given[attribute]
-                given[attribute] = (" ".join(map(context.named, words(element, value))), span)
+                kind = kind_in(element, attribute)
+                written = (context.named(each, kind) for each in words(element, value))
+                given[attribute] = (" ".join(written), span)
         self.given = given
 
     @property
@@ -251,9 +253,10 @@ class Context:
             return own
         return completed(own, base) if base else own
 
-    def named(self, name: str) -> str:
+    def named(self, name: str, kind: str | None) -> str:
         """Return the name in the model of what the document calls so."""
-        return f"{self.prefix}{name}{self.suffix}" if name != WORLD_BODY else name
+        is_world = name == WORLD_BODY and kind == BODY
+        return name if is_world else f"{self.prefix}{name}{self.suffix}"
 
     def path(self, name: str, folder: str) -> str:
         """Return the absolute path of a file that the document names.
