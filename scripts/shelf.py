@@ -283,16 +283,17 @@ def row(name: str) -> str:
     sources = [record["source"] for record in records]
     links = dict.fromkeys(
         f"[{one['repository'].removeprefix('https://github.com/')}]"
-        f"({one['repository']}/tree/{one['commit']}), {one['license']}"
-        for one in sources
+        f"({one['repository']}/tree/{one['commit']})"
+        for source in sources
+        for one in (source, *source["with"])
     )
+    licences = ", ".join(dict.fromkeys(source["license"] for source in sources))
     listed = yaml.safe_load((shelf.ROBOTS / name / "differences.yaml").read_text("utf-8")) or []
     reasons = "<br>".join(dict.fromkeys(one["why"].strip() for one in listed)) or "none"
     lines = f"{shelf.own_lines(name)}, {sum(one['lines'] for one in sources)}"
     picture = f'<img src="{name}/picture.png" width="220" alt="{title}">'
-    return (
-        f"| [{name}]({name}/)<br>{picture} | {title}: {'; '.join(links)} | {lines} | {reasons} |\n"
-    )
+    source = f"{title}: {', '.join(links)}; {licences}"
+    return f"| [{name}]({name}/)<br>{picture} | {source} | {lines} | {reasons} |\n"
 
 
 PYPROJECT = """\

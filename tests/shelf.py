@@ -16,9 +16,10 @@ it. A record has these keys, in SI units and radians:
       values:
         joints/wheel_left_joint/rpy: {there: [-1.57, 0, 0], here: [-1.5707963267948966, 0, 0]}
 
-A joint or link that only one side has is `{there: missing}` or `{here: missing}`. Where the vendor
-has several models, `of: [MODEL]` says to which a reason applies; without it, values of joints and
-links that a model does not have are passed over.
+A joint or link that only one side has is `{there: missing}` or `{here: missing}`; a joint of
+another name that holds the same link differs in its `name`. Where the vendor has several models,
+`of: [MODEL]` says to which a reason applies; without it, values of joints and links that a model
+does not have are passed over.
 """
 
 from __future__ import annotations
@@ -249,14 +250,20 @@ def _of_quaternion(wxyz: Any) -> Matrix:
 def differences(there: Record, here: Record) -> dict[str, dict[str, Any]]:
     """Return what differs between two records: by its path, the values there and here."""
     found: dict[str, dict[str, Any]] = {}
+    named = {joint["child"]: name for name, joint in here["joints"].items()}
     for kind in ("joints", "links"):
-        for name in {**there[kind], **here[kind]}:
-            mine, theirs = here[kind].get(name), there[kind].get(name)
+        pairs = {name: name for name in {**there[kind], **here[kind]}}
+        for name, joint in there["joints"].items() if kind == "joints" else ():
+            other = named.get(joint["child"], name)
+            if name not in here[kind] and other not in there[kind] and other != name:
+                found[f"{kind}/{name}/name"] = {"there": name, "here": other}
+                pairs[name] = other
+                del pairs[other]
+        for name, other in pairs.items():
+            theirs, mine = there[kind].get(name), here[kind].get(other)
             if mine is None or theirs is None:
-                sides = {"there": theirs, "here": mine}
-                found[f"{kind}/{name}"] = {
-                    side: MISSING for side, value in sides.items() if value is None
-                }
+                side = "here" if mine is None else "there"
+                found[f"{kind}/{name}"] = {side: MISSING}
                 continue
             for key in {**theirs, **mine}:
                 values = theirs.get(key), mine.get(key)
@@ -317,15 +324,20 @@ _Loader.add_implicit_resolver(
 def patched(record: Record, changes: Mapping[str, Mapping[str, Any]]) -> Record:
     """Return what a vendor says, with the listed values of ours in place of its own."""
     made: Record = json.loads(json.dumps(record))
+    renamed = {}
     for path, sides in changes.items():
         kind, name, *key = path.split("/")
         if not key:
             if sides.get("here") == MISSING:
                 del made[kind][name]
+        elif key[0] == "name":
+            renamed[name] = sides["here"]
         elif sides.get("here") is None:
             del made[kind][name][key[0]]
         else:
             made[kind][name][key[0]] = sides["here"]
+    for name, other in renamed.items():
+        made["joints"][other] = made["joints"].pop(name)
     return made
 
 
