@@ -16,6 +16,8 @@ import sys
 from pathlib import Path
 from typing import Any
 
+import yaml
+
 ROOT = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(ROOT / "src"), str(ROOT)]
 
@@ -76,7 +78,8 @@ def record(options: argparse.Namespace) -> None:
         owner, name, file = options.file.split("/", 2)
         repository, others, arguments = f"{owner}/{name}", options.others, options.arguments
         licence, call = options.license, options.call
-        chosen = dict(word.split("=", 1) for word in options.set)
+        words = (word.split("=", 1) for word in options.set)
+        chosen = {key: yaml.safe_load(value) for key, value in words}
         if not licence:
             raise SystemExit("--license is missing: read that of the repository")
     clone = cloned(repository)
@@ -275,8 +278,6 @@ def table() -> str:
 
 def row(name: str) -> str:
     """Return the row of a robot."""
-    import yaml
-
     readme = (shelf.ROBOTS / name / "README.md").read_text(encoding="utf-8")
     title = readme.splitlines()[0].removeprefix("# ")
     records = [json.loads(one.read_text(encoding="utf-8")) for one in shelf.vendor_files(name)]
