@@ -175,14 +175,12 @@ def expanded(
 
 def compare_with_pinocchio(urdf: str, found: shelf.Record) -> None:
     """Raise unless a record puts the links where pinocchio puts those of the URDF itself."""
-    positions = list(shelf.random_positions(found, 20))
-    pairs = zip(
-        shelf.poses(urdf, positions), shelf.poses(shelf.urdf_of(found), positions), strict=True
-    )
-    for read, recorded in pairs:
-        assert read.keys() == recorded.keys()
-        for link, pose in read.items():
-            assert abs(pose - recorded[link]).max() < shelf.POSE, link
+    read, recorded = shelf.Placing(urdf), shelf.Placing(shelf.urdf_of(found))
+    for positions in shelf.random_positions(found, 20):
+        expected, poses = read(positions), recorded(positions)
+        assert expected.keys() == poses.keys()
+        for link, pose in expected.items():
+            assert abs(pose - poses[link]).max() < shelf.POSE, link
 
 
 def as_json(whole: dict[str, Any]) -> str:
@@ -288,12 +286,16 @@ def row(name: str) -> str:
         for source in sources
         for one in (source, *source["with"])
     )
+    path = shelf.ROBOTS / name / "differences.yaml"
+    listed = yaml.safe_load(path.read_text(encoding="utf-8")) if path.exists() else []
+    reasons = "<br>".join(dict.fromkeys(one["why"].strip() for one in listed or [])) or "none"
     licences = ", ".join(dict.fromkeys(source["license"] for source in sources))
-    listed = yaml.safe_load((shelf.ROBOTS / name / "differences.yaml").read_text("utf-8")) or []
-    reasons = "<br>".join(dict.fromkeys(one["why"].strip() for one in listed)) or "none"
-    lines = f"{shelf.own_lines(name)}, {sum(one['lines'] for one in sources)}"
-    picture = f'<img src="{name}/picture.png" width="220" alt="{title}">'
     source = f"{title}: {', '.join(links)}; {licences}"
+    lines = f"{shelf.own_lines(name)}, {sum(one['lines'] for one in sources)}"
+    if not records:
+        source, lines = f"{title}: [published numbers]({name}/)", f"{shelf.own_lines(name)}, –"
+        reasons = "there is no description to compare with"
+    picture = f'<img src="{name}/picture.png" width="220" alt="{title}">'
     return f"| [{name}]({name}/)<br>{picture} | {source} | {lines} | {reasons} |\n"
 
 

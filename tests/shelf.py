@@ -28,7 +28,7 @@ import json
 import math
 import re
 import tempfile
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 from xml.sax.saxutils import quoteattr
@@ -367,28 +367,33 @@ def _text(values: Any) -> str:
     return " ".join(map(repr, values))
 
 
-def poses(urdf: str, positions: Iterable[Mapping[str, float]]) -> Iterator[dict[str, Matrix]]:
-    """Give where pinocchio puts each link in the root link, as 4×4 matrices.
+class Placing:
+    """Where pinocchio puts the links of a robot."""
 
-    Args:
-        urdf: the robot.
-        positions: those of its joints, rad or m; joints that are not there are at 0.
-    """
-    import pinocchio
+    def __init__(self, urdf: str) -> None:
+        import pinocchio
 
-    model = pinocchio.buildModelFromXML(urdf)
-    data = model.createData()
-    links = [(i, f.name) for i, f in enumerate(model.frames) if f.type == pinocchio.BODY]
-    for values in positions:
-        q = pinocchio.neutral(model)
+        self._pinocchio = pinocchio
+        self._model = pinocchio.buildModelFromXML(urdf)
+        self._data = self._model.createData()
+        frames = enumerate(self._model.frames)
+        self._links = [(i, frame.name) for i, frame in frames if frame.type == pinocchio.BODY]
+
+    def __call__(self, positions: Mapping[str, float]) -> dict[str, Matrix]:
+        """Return the pose of each link in the root link, as a 4×4 matrix.
+
+        Args:
+            positions: those of the joints, rad or m; joints that are not there are at 0.
+        """
+        model, q = self._model, self._pinocchio.neutral(self._model)
         for joint, name in zip(model.joints, model.names, strict=True):
-            value = values.get(name, 0.0)
+            value = positions.get(name, 0.0)
             if joint.nq == 1:
                 q[joint.idx_q] = value
             elif joint.nq == 2:  # a continuous one
                 q[joint.idx_q : joint.idx_q + 2] = math.cos(value), math.sin(value)
-        pinocchio.framesForwardKinematics(model, data, q)
-        yield {name: np.array(data.oMf[index].homogeneous) for index, name in links}
+        self._pinocchio.framesForwardKinematics(model, self._data, q)
+        return {name: np.array(self._data.oMf[i].homogeneous) for i, name in self._links}
 
 
 def random_positions(record: Record, count: int) -> Iterator[dict[str, float]]:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import importlib.util
 import json
+import math
 import re
 from collections.abc import Callable
 from functools import cache
@@ -14,7 +15,9 @@ from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 import pytest
+import yaml
 from lxml import etree
 
 import yamaro
@@ -26,8 +29,9 @@ from yamaro.commands.main import main
 
 if TYPE_CHECKING:
     import mujoco
+    import scipy.optimize as scipy
 else:
-    mujoco = Later("mujoco")
+    mujoco, scipy = Later("mujoco"), Later("scipy.optimize")
 
 NAMES = shelf.names()
 VENDORS = [(name, vendor) for name in NAMES for vendor in shelf.vendor_files(name)]
@@ -106,11 +110,11 @@ def test_what_differs_from_the_vendor_is_listed_with_a_reason(name: str, vendor:
 def test_pinocchio_puts_all_links_where_those_of_the_vendor_are(name: str, vendor: Path) -> None:
     record = recorded(vendor)
     expected = shelf.patched(record, shelf.listed(name, vendor))
-    positions = list(shelf.random_positions(expected, 20))
-    ours = shelf.poses(urdf_of(name, vendor), positions)
-    theirs = shelf.poses(shelf.urdf_of(expected), positions)
+    ours = shelf.Placing(urdf_of(name, vendor))
+    theirs = shelf.Placing(shelf.urdf_of(expected))
     compared = 0
-    for here, there in zip(ours, theirs, strict=True):
+    for positions in shelf.random_positions(expected, 20):
+        here, there = ours(positions), theirs(positions)
         links = [link for link in there if link in here]
         compared += len(links)
         off = {link: float(abs(here[link] - there[link]).max()) for link in links}
@@ -118,7 +122,7 @@ def test_pinocchio_puts_all_links_where_those_of_the_vendor_are(name: str, vendo
     assert compared >= 20 * 0.9 * len(expected["links"])
 
 
-@each_robot
+@pytest.mark.parametrize("name", sorted({name for name, _ in VENDORS}))
 def test_it_is_shorter_than_what_the_vendor_wrote(name: str) -> None:
     theirs = sum(recorded(vendor)["source"]["lines"] for vendor in shelf.vendor_files(name))
     assert shelf.own_lines(name) < theirs
@@ -130,6 +134,56 @@ def test_the_source_has_a_licence_and_a_commit(name: str, vendor: Path) -> None:
     assert source["license"] in {"Apache-2.0", "BSD-2-Clause", "BSD-3-Clause", "MIT", "Zlib"}
     assert re.fullmatch(r"[0-9a-f]{40}", source["commit"])
     assert source["license"] in (shelf.ROBOTS / name / "README.md").read_text(encoding="utf-8")
+
+
+def test_the_platform_of_the_delta_is_where_three_spheres_meet(
+    written: Callable[[str], Path],
+) -> None:
+    """Pinocchio reads the tree; what closes it is solved here from the file beside the URDF."""
+    arm, rod, base_radius, platform_radius = 0.3545, 0.8, 0.2, 0.052
+    urdf = of_kind(written("delta"), ".urdf")
+    loops = yaml.safe_load(urdf.with_suffix(".loops.yaml").read_text(encoding="utf-8"))["loops"]
+    record = shelf.read_urdf(urdf.read_text(encoding="utf-8"))
+    moving = [name for name, joint in record["joints"].items() if joint["type"] != "fixed"]
+    passive = [name for name in moving if not name.startswith("joint_")]
+    random = np.random.default_rng(3)
+    place = shelf.Placing(urdf.read_text(encoding="utf-8"))
+
+    def open_by(values: Any, motors: dict[str, float]) -> Any:
+        found = place({**motors, **dict(zip(passive, values, strict=True))})
+        ends = [[found[link][:3, 3] for link in loop["between"]] for loop in loops]
+        return np.concatenate([one - other for one, other in ends])
+
+    for _ in range(5):
+        motors = {f"joint_{i}": random.uniform(-0.3, 0.8) for i in (1, 2, 3)}
+        solved = scipy.least_squares(
+            open_by, np.zeros(len(passive)), args=(motors,), xtol=1e-15, ftol=1e-15, gtol=1e-15
+        )
+        assert abs(solved.fun).max() < 1e-10
+        centres = []
+        for i, angle in enumerate(motors.values()):
+            inward = base_radius + arm * math.cos(angle) - platform_radius
+            turn = math.radians(120 * i)
+            centres.append(
+                [inward * math.cos(turn), inward * math.sin(turn), -arm * math.sin(angle)]
+            )
+        found = place({**motors, **dict(zip(passive, solved.x, strict=True))})["platform"]
+        assert found[:3, 3] == pytest.approx(lower_point(centres, rod), abs=1e-9)
+        assert found[:3, :3] == pytest.approx(np.eye(3), abs=1e-9)
+
+
+def lower_point(centres: Any, radius: float) -> Any:
+    """Return the lower of the two points that are one distance from three others."""
+    a, b, c = map(np.array, centres)
+    normal = np.cross(b - a, c - a)
+    area = normal @ normal
+    to_middle = (
+        np.cross(normal, b - a) * ((c - a) @ (c - a))
+        + np.cross(c - a, normal) * ((b - a) @ (b - a))
+    ) / (2 * area)  # of the circle through them
+    height = math.sqrt((radius**2 - to_middle @ to_middle) / area)
+    points = [a + to_middle + sign * height * normal for sign in (1, -1)]
+    return min(points, key=lambda point: float(point[2]))
 
 
 # --- the formats and their readers ------------------------------------------------------------
