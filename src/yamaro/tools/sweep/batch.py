@@ -20,7 +20,7 @@ from ...options import UsageError
 from ...output import write_files
 from .builder import Builder
 from .plan import MJCF, Plan, import_extra
-from .replaying import LEAST, to_check
+from .replaying import LEAST, Document, to_check
 from .running import LOCAL, Engine, Status, engine_of
 from .table import FAILED, OK, REJECTED, Row
 from .worker import Child, ChildEnded
@@ -51,37 +51,45 @@ class Comparison:
         self._names: list[str] = []  # these fields
         self._found: dict[str, tuple[list[int], list[Any]]] = {}
 
-    def note(self, row: Row, document: str, files: dict[str, bytes]) -> None:
+    def note(self, row: Row, document: Document) -> Any:
         """Give the first row what its model has, and keep what differs in others.
+
+        Returns:
+            The whole model as a row of numbers.
 
         Raises:
             ValueError: MuJoCo refuses the document.
         """
-        mujoco = import_extra("mujoco", "sim")
-        model = mujoco.MjModel.from_xml_string(document, files)
+        model = document.model()
+        words = _saved(model)
         if self.first is None:
             self.first = row.fields = _fields(model)
-            row.documents["xml"] = document.encode()
-            row.assets = {path: data for path, data in files.items() if "/" in path}
-            self._words = _saved(model)
-            self._known = self._words != self._words
-            return
-        words = _saved(model)
+            row.documents["xml"] = document.text.encode()
+            row.assets = {path: data for path, data in document.files.items() if "/" in path}
+            self._words = words
+            self._known = words != words
+            return words
         if words.shape != self._words.shape:
             row.unlike = self._compare(model)
-            return
+            return words
         # To read all fields takes as long as to compile the model. Each word is in one field, so
         # no field differs that is not known if no word does.
         differs = words != self._words
         if (differs & ~self._known).any():
             row.unlike = self._compare(model)
             if row.unlike:
-                return
+                return words
             self._known |= differs
         for name in self._names:
             indices, values = self._found.setdefault(name, ([], []))
             indices.append(row.index)
             values.append(_value(model, name))
+        return words
+
+    def is_model(self, words: Any, document: Document) -> bool:
+        """Return whether a model is the one that MuJoCo reads from the document."""
+        read = _saved(Document.model(document))
+        return read.shape == words.shape and bool((read == words).all())
 
     def _compare(self, model: Any) -> str:
         """Note which fields differ; return one that cannot."""

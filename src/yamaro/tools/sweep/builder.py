@@ -198,16 +198,16 @@ class Builder:
     def _replay(self, row: Row) -> bool:
         """Note what there is to know of a variant without building it; return whether that is."""
         assert self._comparison is not None
-        document, is_checked = self._replays.find(row.index, row.arguments)
+        document = self._replays.find(row.index, row.arguments)
         if document is None or self._comparison.first is None:
             return False
-        if is_checked and self._text(row.arguments) != document.text:
-            row.is_unequal = True
-            return True
         try:
-            self._comparison.note(row, document.text, document.files)
+            words = self._comparison.note(row, document)
         except ValueError:  # the build says where
             return False
+        if document.is_to_check:
+            is_same = self._text(row.arguments) == document.text
+            row.is_unequal = not (is_same and self._comparison.is_model(words, document))
         row.warnings = document.warnings
         return True
 
@@ -227,7 +227,7 @@ class Builder:
         ]
         document = Document(build.xml(), dict(build.assets), row.warnings)
         try:
-            self._comparison.note(row, document.text, document.files)
+            self._comparison.note(row, document)
         except ValueError as error:
             message = f"MuJoCo refuses the robot: {' '.join(str(error).split())}"
             raise failure("mujoco-refused", message, build.robot.span) from None

@@ -36,6 +36,8 @@ MARK = re.compile(r"\?y(\d+)\?")
 MOST_LINES = 60_000
 """Lines of a tape: a longer one takes more time than a build."""
 
+Replay = Callable[..., "tuple[str, ...] | None"]
+
 
 class Unrecordable(BaseException):
     """A recorded number is needed as a plain one; not an Exception, so that nothing handles it."""
@@ -53,9 +55,10 @@ class Tape:
         """Begin with nothing on it."""
         self.lines: list[str] = []
         self.is_broken = False
-        self._known: dict[str, tuple[str, Any]] = {}
+        self._variables: dict[str, str] = {}  # by expression
+        self._results: dict[str, tuple[Any]] = {}
+        self._objects: dict[int, tuple[str, object]] = {}  # by identity
         self._texts: list[tuple[str, str]] = []  # variable and concrete text, by the number of mark
-        self._marks: dict[str, str] = {}
         self._constants: dict[str, Any] = {}
         self._names: dict[int, str] = {}
         self._guards: set[str] = set()
@@ -89,10 +92,14 @@ class Tape:
             inner = "".join(f"{self.expression(each)}, " for each in value)
             return f"({inner})" if kind is tuple else f"[{inner}]"
         if kind in OBJECTS:
-            names = [name for name in kind.__slots__ if hasattr(value, name)]
-            parts = tuple(getattr(value, name) for name in names)
-            made = f"{self.constant(made_again)}({self.constant(kind)}, {self.constant(names)}, "
-            return f"{made}{self.expression(parts)})"
+            known = self._objects.get(id(value))
+            if known is None:
+                names = [name for name in kind.__slots__ if hasattr(value, name)]
+                parts = self.expression(tuple(getattr(value, name) for name in names))
+                inner = f"{self.constant(kind)}, {self.constant(names)}, {parts}"
+                made = self._variable(f"{self.constant(made_again)}({inner})")
+                known = self._objects[id(value)] = made, value
+            return known[0]
         return self.constant(value)
 
     def _text(self, text: str) -> str:
@@ -127,14 +134,20 @@ class Tape:
 
     def compute(self, text: str, value: Any) -> Any:
         """Note an expression, and return its value, recorded."""
-        known = self._known.get(text)
+        known = self._results.get(text)
         if known is None:
+            known = self._results[text] = (self._recorded(self._variable(text), value),)
+        return known[0]
+
+    def _variable(self, text: str) -> str:
+        """Return the variable that has the value of an expression."""
+        variable = self._variables.get(text)
+        if variable is None:
             if len(self.lines) > MOST_LINES:
                 raise self.refuse("too long")
-            variable = f"t{len(self.lines)}"
+            variable = self._variables[text] = f"t{len(self.lines)}"
             self.lines.append(f" {variable} = {text}")
-            known = self._known[text] = variable, self._recorded(variable, value)
-        return known[1]
+        return variable
 
     def _recorded(self, variable: str, value: Any) -> Any:
         kind = type(value)
@@ -178,14 +191,14 @@ class Tape:
         self.require(f"({self.constant(function)}({words}) == {self.constant(result)})")
         return result
 
-    def compiled(self, names: Sequence[str], text: str) -> Callable[..., str | None]:
+    def compiled(self, names: Sequence[str], text: str) -> Replay:
         """Return the function: of the arguments, in order, to a text with marks in it."""
         first, *rest = MARK.split(text)  # texts and numbers of marks in turn
         pieces = [self.constant(first)]
         for number, part in zip(rest[::2], rest[1::2], strict=True):
             pieces += (self._texts[int(number)][0], self.constant(part))
         lines = [f"def replay({', '.join(names)}):", *self.lines]
-        lines.append(f" return ''.join(({', '.join(pieces)},))")
+        lines.append(f" return ({', '.join(pieces)},)")
         names_of: dict[str, Any] = self._constants
         exec(compile("\n".join(lines), "<recording>", "exec"), names_of)
         return names_of["replay"]  # type: ignore[no-any-return]
@@ -393,7 +406,7 @@ def is_recorded(value: Any) -> bool:
 
 def record(
     arguments: dict[str, Any], names: Sequence[str], build: Callable[[dict[str, Any]], str]
-) -> Callable[..., str | None] | None:
+) -> Replay | None:
     """Return the document of a build as a function of some of its arguments.
 
     Args:
@@ -402,7 +415,8 @@ def record(
         build: builds with arguments, and returns the document.
 
     Returns:
-        The function, which returns None for what takes another way; None if there is no function.
+        The function: its result is the document in pieces, of which every second one is text that
+        was computed, or None for what takes another way. None if there is no such function.
     """
     from .replacing import replaced
 
