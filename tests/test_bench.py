@@ -31,7 +31,7 @@ OTHERS = {
         "sdf",
         "simready",
     ),
-    *("style", "training", "urdf", "usd"),
+    *("lsp_xacro", "style", "training", "urdf", "usd"),
     *("batch", "sdf_in", "shapes", "values", "verdicts"),
 }
 """What measures no time by itself, and what needs a corpus that is not part of the project."""

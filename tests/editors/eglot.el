@@ -8,10 +8,9 @@
       completion-category-overrides '((eglot (styles basic)))
       eglot-send-changes-idle-time 0.05 flymake-no-changes-timeout 0.1 eglot-autoshutdown nil)
 (setq eglot-server-programs
-      (list (cons '(yamaro-mode nxml-mode)
+      (list (cons '(yamaro-mode yamaro-xml-mode)
                   (append (json-read-from-string (getenv "YAMARO_COMMAND"))
                           '(:initializationOptions (:timeout 300000))))))
-(add-to-list 'auto-mode-alist '("\\.xacro\\'" . nxml-mode))
 (defvar told nil)
 (defun tell (key value) (push (cons key value) told))
 (defun finish ()

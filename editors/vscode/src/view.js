@@ -10,7 +10,8 @@ const vscode = require("vscode");
 const START = 30_000; // milliseconds
 
 class RobotView {
-  constructor(context, command, output) {
+  constructor(context, command, output, mainOfActive) {
+    this.mainOfActive = mainOfActive;
     this.context = context;
     this.command = command;
     this.output = output;
@@ -19,9 +20,9 @@ class RobotView {
   }
 
   async show() {
-    const document = vscode.window.activeTextEditor?.document;
-    if (!document || document.uri.scheme !== "file") return;
-    const file = document.uri.fsPath;
+    const main = await this.mainOfActive();
+    if (!main) return;
+    const { file, words } = main;
     const known = this.panels.get(file);
     if (known) {
       known.panel.reveal(vscode.ViewColumn.Beside, true);
@@ -38,7 +39,7 @@ class RobotView {
     panel.onDidDispose(() => this.end(file));
     panel.webview.html = note("The robot is being built …");
     try {
-      const url = await this.start(file, entry);
+      const url = await this.start(file, words, entry);
       const { origin, pathname } = new URL(url);
       const outside = await vscode.env.asExternalUri(vscode.Uri.parse(`${origin}/`)); // some lose a path
       panel.webview.html = frame(outside.toString(true).replace(/\/*$/, pathname));
@@ -48,11 +49,11 @@ class RobotView {
   }
 
   /** Start `yamaro view`; return the address of its page. */
-  async start(file, entry) {
+  async start(file, more, entry) {
     const socket = await this.listen(entry);
     const words = [process.execPath, path.join(this.context.extensionPath, "dist", "goto.js"), socket];
     const editor = [...words, "{file}", "{line}", "{column}"].map((word) => `'${word}'`).join(" ");
-    const own = ["view", "--no-browser", "--embed", "--editor", editor, file];
+    const own = ["view", "--no-browser", "--embed", "--editor", editor, file, ...more];
     entry.process = spawn(this.command(), own, {
       cwd: path.dirname(file),
       env: { ...process.env, ELECTRON_RUN_AS_NODE: "1" },

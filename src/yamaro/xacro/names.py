@@ -181,7 +181,7 @@ class XacroNames:
         self, place: XacroPlace, text: str, element: Element, macro: Element | None
     ) -> None:
         try:
-            pending = list(parse_template(text).parts)
+            pending = [*reversed(parse_template(text).parts)]
         except Fault:  # it is being written
             for found in _OPEN.finditer(text):
                 kind = found.lastgroup or ""
@@ -189,12 +189,12 @@ class XacroNames:
                 self._take_computed(place, kind, found[kind], found.start(), span, element, macro)
             return
         while pending:
-            part = pending.pop(0)
+            part = pending.pop()
             if isinstance(part, (Expression, Substitution)):
                 kind = "expression" if isinstance(part, Expression) else "substitution"
                 span = place.span(part.start, part.end)
                 self._take_computed(place, kind, part.text, part.start, span, element, macro)
-                pending += part.inner.parts if part.inner is not None else ()
+                pending += reversed(part.inner.parts) if part.inner is not None else ()
 
     def _take_computed(
         self,

@@ -70,6 +70,7 @@ class Tags:
         self._length = 0
         self._inserted: list[tuple[int, int]] = []
         self._open: list[Tag] = []
+        self._unclosed: set[str] = set()
         self._last = -1  # where the last end tag of the root is
         self._is_ended = False  # there is a root element, and it is closed
         self._scan()
@@ -127,8 +128,9 @@ class Tags:
     def _add_special(self, at: int, opener: str, closer: str) -> int:
         """Add a comment, or hide a declaration; one without end ends at the end of its line."""
         text = self._text
-        end = text.find(closer, at + len(opener))
+        end = -1 if opener in self._unclosed else text.find(closer, at + len(opener))
         if end < 0:
+            self._unclosed.add(opener)  # nor do those that follow
             rest = _REST_OF_LINE.match(text, at)
             end = rest.end() if rest is not None else len(text)
             self._add(_hidden(text[at:end]))

@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
+import json
+import random
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from tests.effort import examples
 from tests.tools.lsp.client import Client
+from yamaro.tools.lsp import FEATURES, feature
+from yamaro.tools.lsp.protocol import RequestFailed, position_at
+from yamaro.tools.lsp.workspace import Workspace
 
 TREES = {"textDocument": {"documentSymbol": {"hierarchicalDocumentSymbolSupport": True}}}
 HEAD = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"'
@@ -66,13 +73,29 @@ NAMES = {
 }
 
 
-@pytest.fixture
-def work(tmp_path: Path) -> Path:
+def write(folder: Path) -> Path:
     for name, text in NAMES.items():
-        path = tmp_path / name
+        path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text)
-    return tmp_path
+    return folder
+
+
+@pytest.fixture
+def work(tmp_path: Path) -> Path:
+    return write(tmp_path)
+
+
+@pytest.fixture(scope="module")
+def read(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Client, Path]]:
+    """A session for tests that change nothing, with the main file open and built."""
+    folder = write(tmp_path_factory.mktemp("read"))
+    with Client(folder, capabilities=TREES) as client:
+        main = named(folder, "rover.urdf.xacro")
+        client.open(main)
+        built(client, main)
+        yield client, folder
+        assert client.logs == []
 
 
 @pytest.fixture
@@ -115,11 +138,10 @@ def built(client: Client, path: Path) -> None:
 
 
 def test_hovers_have_the_values_of_the_main_file_in_all_its_files(
-    client: Client, work: Path
+    read: tuple[Client, Path],
 ) -> None:
+    client, work = read
     main, leg = named(work, "rover.urdf.xacro"), named(work, "leg.xacro")
-    client.open(main)
-    built(client, main)
     shown = hover(client, main, "${wid|th / 2}")
     assert "how far the legs are apart" in shown
     assert "value: `0.4`" in shown
@@ -141,10 +163,9 @@ def test_hovers_have_the_values_of_the_main_file_in_all_its_files(
     assert "the least position" in hover(client, main, 'low|er="-1"')
 
 
-def test_definitions_and_references_lead_across_files(client: Client, work: Path) -> None:
+def test_definitions_and_references_lead_across_files(read: tuple[Client, Path]) -> None:
+    client, work = read
     main, leg = named(work, "rover.urdf.xacro"), named(work, "leg.xacro")
-    client.open(main)
-    built(client, main)
     assert places(client, main, '<xacro:le|g prefix="left_"') == ["leg.xacro:3"]
     assert places(client, main, 'pre|fix="left_"') == ["leg.xacro:3"]
     assert places(client, main, "${ha|lf}") == ["rover.urdf.xacro:9"]
@@ -206,8 +227,9 @@ def test_arguments_are_taken_from_the_settings(work: Path) -> None:
         assert "value: `7`" in hover(client, main, '<xacro:arg name="ma|ss"')
 
 
-def test_the_outline_has_macros_properties_links_and_joints(client: Client, work: Path) -> None:
-    uri = client.open(named(work, "leg.xacro"))
+def test_the_outline_has_macros_properties_links_and_joints(read: tuple[Client, Path]) -> None:
+    client, work = read
+    uri = named(work, "leg.xacro").as_uri()
     symbols = client.request("textDocument/documentSymbol", {"textDocument": {"uri": uri}})
 
     def shape(symbols: list[Any]) -> list[Any]:
@@ -251,3 +273,120 @@ def names_in(symbols: list[Any]) -> list[str]:
     return [
         name for each in symbols for name in (each["name"], *names_in(each.get("children", [])))
     ]
+
+
+@pytest.mark.parametrize(
+    ("typed", "offered", "not_offered"),
+    [
+        ("<xacro:le|", {"leg"}, {"link", "xacro:leg"}),
+        ("<|", {"xacro:leg", "link", "joint", "xacro:property"}, {"inertia"}),
+        ("<link name='a'><in|", {"inertial", "visual"}, {"joint"}),
+        ('<xacro:leg prefix="a" |', {"y", "mass", "parent"}, {"prefix", "name"}),
+        ('<box size="${wi|', {"width", "half", "pi", "radians"}, {"prefix"}),
+        ('<box size="${math.|', {"cos"}, {"width"}),
+        ('<box size="$(arg |', {"mass", "tool"}, {"width"}),
+        ('<box size="$(|', {"arg", "find"}, {"mass"}),
+        ('<xacro:include filename="$(find |', {"rover", "rover_parts"}, set()),
+        ('<xacro:include filename="too|', {"tools"}, set()),
+        ('<parent link="|', {"base", "flag", "left_foot"}, {"left_hip"}),
+        ('<mimic joint="|', {"copy", "left_hip"}, {"base"}),
+        ('<material name="|', {"steel"}, {"base"}),
+        ('<joint name="j" type="|', {"revolute", "prismatic"}, {"base"}),
+        ('<xacro:property name="n" scope="|', {"parent", "global"}, set()),
+        ("<link name='a'></|", {"link"}, {"robot"}),
+        ("<!-- <|", set(), {"link"}),
+    ],
+)
+def test_completion_knows_where_it_is(
+    completing: Client, typed: str, offered: set[str], not_offered: set[str]
+) -> None:
+    client, uri = completing, next(each for each in completing.diagnostics if "rover.urdf" in each)
+    text = MAIN.replace('  <link name="flag">', f'  {typed.replace("|", "")}\n  <link name="flag">')
+    client.change(uri, 2, [{"text": text}])
+    place = client.at(uri, text, typed.replace("|", "") + "\n", after=typed.index("|"))
+    found = client.request("textDocument/completion", place)["items"]
+    labels = {each["label"] for each in found}
+    assert offered <= labels
+    assert not labels & not_offered
+
+
+@pytest.fixture(scope="module")
+def completing(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Client]:
+    folder = write(tmp_path_factory.mktemp("completing"))
+    with Client(folder) as client:
+        client.open(named(folder, "rover.urdf.xacro"))
+        built(client, named(folder, "rover.urdf.xacro"))
+        yield client
+        assert client.logs == []
+
+
+def test_a_call_is_completed_with_what_it_needs(work: Path) -> None:
+    snippets = {"textDocument": {"completion": {"completionItem": {"snippetSupport": True}}}}
+    main = named(work, "rover.urdf.xacro")
+    with Client(work, capabilities=snippets) as client:
+        text = MAIN.replace("</robot>", "<xacro:le\n</robot>")
+        uri = client.open(main, text)
+        place = client.at(uri, text, "<xacro:le\n", after=len("<xacro:le"))
+        found = client.request("textDocument/completion", place)["items"]
+        item = next(each for each in found if each["label"] == "leg")
+        assert item["textEdit"]["newText"] == 'leg prefix="$1" y="$2"/>$0'
+        assert item["documentation"]["value"] == "a leg with its foot"
+
+
+def test_commands_are_told_the_main_file_with_arguments_and_packages(work: Path) -> None:
+    main, leg = named(work, "rover.urdf.xacro"), named(work, "leg.xacro")
+    with Client(work, options={"arguments": {"rover.urdf.xacro": ["mass:=7"]}}) as client:
+        uri = client.open(leg)
+        built(client, leg)
+        found = client.request("yamaro/main", {"textDocument": {"uri": uri}})
+    folder = work / "common/deep/rover_parts"
+    assert found == {
+        "main": str(main),
+        "words": ["mass:=7", "--package", f"rover_parts:={folder}"],
+    }
+
+
+PIECES = (
+    *(
+        "",
+        "<",
+        ">",
+        '"',
+        "'",
+        "/",
+        "&",
+        "</robot>",
+        "<!--",
+        "-->",
+        "]]>",
+        '<link name="',
+        "${",
+        "$(",
+    ),
+    *("}", "\0", "<xacro:", "xacro:call", "${a.b(", "$(arg ", "$(eval 1", "^|", "*", "\n", "🤖"),
+    "(" * 300,
+)
+
+
+def test_every_feature_answers_anywhere_in_damaged_xacro(work: Path) -> None:
+    chooser = random.Random(7)
+    path = named(work, "rover.urdf.xacro")
+    for _ in range(examples(200)):
+        text = chooser.choice((MAIN, LEG))
+        for _ in range(chooser.randrange(1, 4)):
+            start = chooser.randrange(len(text))
+            gone = chooser.choice((0, 0, 1, 5, 40))
+            text = text[:start] + chooser.choice(PIECES) + text[start + gone :]
+        workspace = Workspace()
+        opened = workspace.add(path.as_uri(), 1, text).text
+        for method in FEATURES:
+            place = position_at(opened.source, chooser.randrange(len(text) + 1), "utf-16")
+            parameters = {
+                "textDocument": {"uri": path.as_uri()},
+                "position": place,
+                "range": {"start": {"line": 0, "character": 0}, "end": place},
+                "context": {},
+                "newName": "other",
+            }
+            with suppress(RequestFailed):
+                json.dumps(feature(method)(workspace, parameters))

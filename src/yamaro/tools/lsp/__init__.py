@@ -28,6 +28,7 @@ FEATURES = {
     "textDocument/codeAction": ("edits", "code_actions"),
     "textDocument/formatting": ("edits", "formatting"),
     "yamaro/viewFileText": ("navigation", "file_text"),
+    "yamaro/main": ("navigation", "main_file"),
 }
 """The requests that a feature answers: the module, and the function in it."""
 

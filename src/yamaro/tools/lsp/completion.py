@@ -55,6 +55,17 @@ if TYPE_CHECKING:
 _FUNCTION, _FIELD, _VARIABLE, _MODULE, _PROPERTY = 3, 5, 6, 9, 10
 _VALUE, _ENUM, _KEYWORD, _SNIPPET, _FILE, _REFERENCE = 12, 13, 14, 15, 17, 18
 _FOLDER, _CONSTANT = 19, 21
+_KINDS = {
+    "constant": _CONSTANT,
+    "enum": _ENUM,
+    "field": _FIELD,
+    "function": _FUNCTION,
+    "keyword": _KEYWORD,
+    "module": _MODULE,
+    "reference": _REFERENCE,
+    "variable": _VARIABLE,
+}
+"""Kinds of items by the words that completion of XML has for them."""
 _WITH_BODY = frozenset(
     "model variables functions arguments part joint link visual collision inertial material frame "
     "sensor actuator surface attach mirror loop control controllers states groups collisions "
@@ -76,21 +87,21 @@ MOST_FILES = 200
 class Items:
     """Gathers items; the same label counts once."""
 
-    def __init__(self, workspace: Workspace, text: Text, offset: int) -> None:
-        """Complete the word at an offset."""
+    def __init__(self, workspace: Workspace, text: Text, offset: int, *, signs: str = "_") -> None:
+        """Complete the word at an offset, made of letters, digits and signs."""
         self.found: list[Json] = []
         self._workspace = workspace
         self._text = text
         self._seen: set[str] = set()
         start = offset
-        while start > 0 and (text.text[start - 1].isalnum() or text.text[start - 1] == "_"):
+        while start > 0 and (text.text[start - 1].isalnum() or text.text[start - 1] in signs):
             start -= 1
         self._range = {
             "start": workspace.position(text, start),
             "end": workspace.position(text, offset),
         }
         end = offset
-        while end < len(text.text) and (text.text[end].isalnum() or text.text[end] == "_"):
+        while end < len(text.text) and (text.text[end].isalnum() or text.text[end] in signs):
             end += 1
         self._has_colon = text.text[end : end + 1] == ":"
         item = ((workspace.client.get("textDocument") or {}).get("completion") or {}).get(
@@ -101,7 +112,7 @@ class Items:
     def add(
         self,
         label: str,
-        kind: int,
+        kind: int | str,
         *,
         text: str | None = None,
         detail: str = "",
@@ -114,7 +125,8 @@ class Items:
             return
         self._seen.add(label)
         new = label if text is None else text
-        item: Json = {"label": label, "kind": kind, "sortText": f"{rank}{label}"}
+        number = _KINDS[kind] if isinstance(kind, str) else kind
+        item: Json = {"label": label, "kind": number, "sortText": f"{rank}{label}"}
         if snippet is not None and self._has_snippets and not self._has_colon:
             item["insertTextFormat"] = 2
             new = snippet
@@ -193,7 +205,7 @@ class Items:
                 for name in result.robot.materials if result.robot is not None else ():
                     self.add(name, _REFERENCE, detail="material", rank="1")
         if key in _PATHS:
-            self._files(typed)
+            self.add_files(typed)
         if key == "import" or words[:1] == ["import"]:
             self.add_modules()
         if name == "call" or key in ("print",):
@@ -301,7 +313,7 @@ class Items:
         for name in _MODULES:
             self.add(name, _MODULE, rank="2")
 
-    def _files(self, typed: str) -> None:
+    def add_files(self, typed: str) -> None:
         """Add the files and folders in the folder that is typed so far."""
         folder, slash, _ = typed.rpartition("/")
         where: str | None = self._text.folder
@@ -347,9 +359,16 @@ def completion(workspace: Workspace, parameters: Json) -> Json:
     """Return what can be written at a place."""
     text = workspace.text_at(parameters)
     offset = workspace.offset_in(text, parameters)
-    items = Items(workspace, text, offset)
-    if text.is_yaml:
+    is_quote = (parameters.get("context") or {}).get("triggerCharacter") in ('"', "'", "<")
+    items = Items(workspace, text, offset, signs="_" if text.is_yaml else "_-")
+    if text.is_yaml and not is_quote:
         Completion(workspace, text, offset, items).run()
+    elif not text.is_yaml and not text.is_foreign:
+        from .xml_completion import XmlCompletion
+        from .xml_names import format_of
+
+        if not format_of(text.xml):
+            XmlCompletion(workspace, text, offset, items).run()
     found = items.found[:MOST]
     return {"isIncomplete": len(items.found) > MOST, "items": found}
 

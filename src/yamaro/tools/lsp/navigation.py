@@ -10,7 +10,7 @@ from ...yaml.nodes import MappingNode, ScalarNode, SequenceNode
 from .bindings import Place, Program
 from .contexts import span_inside, word_of
 from .parts import Named, Reference
-from .protocol import uri_of
+from .protocol import path_of, uri_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -248,6 +248,25 @@ def document_links(workspace: Workspace, parameters: Json) -> Json:
         {"range": workspace.range(each.span), "target": uri_of(each.path)}
         for each in paths_in(workspace, text)
     ]
+
+
+_PACKAGE = re.compile(r"(?:package://|\$\(find(?:-pkg-share)?\s+)([A-Za-z0-9_-]+)")
+
+
+def main_file(workspace: Workspace, parameters: Json) -> Json:
+    """Return the main file of the program that a file is in, and what a command is to be given.
+
+    These are the arguments that the user has set, and the folders of the packages that are named.
+    """
+    path = path_of(parameters["textDocument"]["uri"])
+    mains = workspace.mains_of(path)
+    main = next((each for each in mains if each in workspace.good), mains[0])
+    names = {name for text in workspace.program_of(path) for name in _PACKAGE.findall(text.text)}
+    packages = workspace.settings.all_packages
+    words = [*workspace.settings.arguments_of(main)]
+    for name in sorted(names & packages.keys()):
+        words += ["--package", f"{name}:={packages[name]}"]
+    return {"main": main, "words": words}
 
 
 def file_text(workspace: Workspace, parameters: Json) -> Json:

@@ -38,7 +38,9 @@ def document_symbols(workspace: Workspace, parameters: Json) -> Json:
     else:
         from .xml_names import format_of
 
-        if format_of(text.xml):
+        if text.is_foreign:
+            found = []
+        elif format_of(text.xml):
             found = builder.of_element(text.xml, hoists=format_of(text.xml) == "mjcf")
         else:
             found = builder.of_robot(text.xml)

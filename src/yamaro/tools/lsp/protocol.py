@@ -224,7 +224,7 @@ def capabilities(encoding: str) -> Json:
         "documentHighlightProvider": True,
         "renameProvider": {"prepareProvider": True},
         "hoverProvider": True,
-        "completionProvider": {"triggerCharacters": list(" :/.($=,{")},
+        "completionProvider": {"triggerCharacters": list(' :/.($=,{<"')},
         "signatureHelpProvider": {"triggerCharacters": [":", ","]},
         "documentLinkProvider": {"resolveProvider": False},
         "foldingRangeProvider": True,

@@ -6,7 +6,7 @@ import os
 import re
 
 from ...source import Source, Span
-from ...xacro.names import PACKAGE, PARAMETER, Name, XacroNames
+from ...xacro.names import PACKAGE, PARAMETER, TAGS, Name, XacroNames
 from ...xacro.symbol_table import ARGUMENT, MACRO, PROPERTY, definition_of
 from ...xml.tree import Comment, Element, Text
 from ...xml.values import format_value
@@ -48,12 +48,14 @@ class RobotNames:
     Attributes:
         found: those of xacro, then links, joints and materials.
         computed: where a `${…}` or `$(…)` is written.
+        definitions: those of them that define something, by name.
     """
 
     def __init__(self, root: Element | None) -> None:
         """Look through a file that holds URDF or xacro; there is nothing in any other."""
         self.found: list[Name] = []
         self.computed: list[Span] = []
+        self.definitions: dict[str, list[Name]] = {}
         if root is None or format_of(root):
             return
         names = XacroNames(root)
@@ -66,23 +68,21 @@ class RobotNames:
             is_list = element.name in _LISTS or around in _LISTS
             inside = around if is_list and around else element.name
             pending += [(child, inside, macro) for child in reversed(element.elements())]
+        for each in self.found:
+            if each.is_definition:
+                self.definitions.setdefault(each.name, []).append(each)
 
     def _take(self, element: Element, around: str, macro: Element | None) -> None:
         name = element.name
-        is_call = name.startswith("xacro:")
         for attribute, value in element.attributes.items():
-            kind, is_definition = "", False
-            if is_call:
-                kind = BODY if _MAY_REFER.search(attribute) and name != "xacro:macro" else ""
-            elif attribute == "name" and name in (LINK, JOINT, MATERIAL):
+            kind, is_definition = kind_of_attribute(name, attribute), False
+            if attribute == "name" and kind:
                 inner = {each.name for each in element.elements()}
-                kind, is_definition = name, around not in _LISTS
+                is_definition = around not in _LISTS
                 if name == JOINT and "type" not in element.attributes:
                     is_definition = is_definition and bool(inner & {"parent", "child"})
                 elif name == MATERIAL:
                     is_definition = bool(inner)
-            else:
-                kind = _REFERENCES.get(attribute, "")
             if kind and value:
                 self.found.append(
                     Name(kind, format_value(value), element.value_span(attribute), element, macro,
@@ -110,6 +110,16 @@ class RobotNames:
         return min(within, key=lambda each: each.end - each.start, default=None)
 
 
+def kind_of_attribute(tag: str, attribute: str) -> str:
+    """Return the kind of what an attribute names: LINK, JOINT, BODY or MATERIAL, else ""."""
+    if tag.startswith("xacro:"):
+        is_call = tag.removeprefix("xacro:") not in TAGS
+        return BODY if is_call and _MAY_REFER.search(attribute) else ""
+    if attribute == "name":
+        return tag if tag in (LINK, JOINT, MATERIAL) else ""
+    return _REFERENCES.get(attribute, "")
+
+
 class RobotFiles:
     """The URDF and xacro files that are read together."""
 
@@ -129,6 +139,15 @@ class RobotFiles:
                 if each.is_definition and each.kind in kinds:
                     yield text, each
 
+    def named(self, name: str, *kinds: str) -> list[tuple[OpenText, Name]]:
+        """Return the definitions of a name in all files."""
+        return [
+            (text, each)
+            for text in self.texts
+            for each in text.robot_names.definitions.get(name, ())
+            if each.kind in kinds
+        ]
+
     # --- what a name means ------------------------------------------------------------------
 
     def definitions(self, text: OpenText, name: Name) -> list[tuple[OpenText, Name]]:
@@ -136,21 +155,20 @@ class RobotFiles:
         if name.is_definition and name.kind in (MACRO, PARAMETER):
             return [(text, name)]
         if name.kind in _OF_ROBOT:
-            kinds = _OF_ROBOT[name.kind]
-            return [each for each in self.defined(*kinds) if each[1].name == name.name]
+            return self.named(name.name, *_OF_ROBOT[name.kind])
         if name.kind in (MACRO, ARGUMENT):
-            return [each for each in self.defined(name.kind) if each[1].name == name.name]
+            return self.named(name.name, name.kind)
         if name.kind == PARAMETER:
             return [
                 (own, each)
-                for own, each in self.defined(PARAMETER)
-                if each.name == name.name and _name_of(each.element) == name.owner
+                for own, each in self.named(name.name, PARAMETER)
+                if _name_of(each.element) == name.owner
             ]
         return self._values(text, name) if name.kind == PROPERTY else []
 
     def _values(self, text: OpenText, name: Name) -> list[tuple[OpenText, Name]]:
         """Return where a property or parameter is defined: in the macro, outside, or by callers."""
-        found = [each for each in self.defined(PROPERTY, PARAMETER) if each[1].name == name.name]
+        found = self.named(name.name, PROPERTY, PARAMETER)
         macro = name.macro
         if macro is not None and (macro is not name.element or name.is_definition):
             inner = [each for each in found if each[1].macro is macro]
@@ -158,17 +176,20 @@ class RobotFiles:
                 return inner
         outside = [each for each in found if each[1].macro is None]
         if name.space:
-            paths = [path for path in self._in_namespace(text, name.space) if path is not None]
+            paths = list(self.in_namespace(text, name.space))
             return [each for each in outside if each[0].path in paths]
         if outside:
             return sorted(outside, key=lambda each: each[0] is not text)
         for_others = [each for each in found if "scope" in each[1].element.attributes]
         return for_others or found
 
-    def _in_namespace(self, text: OpenText, space: str) -> Iterator[str | None]:
+    def in_namespace(self, text: OpenText, space: str) -> Iterator[str]:
+        """Yield the paths of the files that a file includes into a namespace."""
         for element in text.xml.iter() if text.xml is not None else ():
             if element.name == "xacro:include" and element.attributes.get("ns") == space:
-                yield path_at(self._workspace, text, element.value_span("filename"))
+                path = path_at(self._workspace, text, element.value_span("filename"))
+                if path is not None:
+                    yield path
 
     def places(self, text: OpenText, name: Name) -> list[tuple[Span, bool]]:
         """Return all places that mean the same, and whether each defines it."""
@@ -320,6 +341,8 @@ def hover_in_robot(
     workspace: Workspace, text: OpenText, offset: int
 ) -> tuple[list[str], Span | None]:
     """Return lines of Markdown on what is at an offset of a URDF or xacro file, and its place."""
+    if text.is_foreign:
+        return [], None
     found = text.robot_names.at(offset) or _end_tag(text, offset)
     if found is None:
         return _of_attribute(text, offset)
@@ -413,6 +436,7 @@ def _about_bodies(files: RobotFiles, text: OpenText, name: Name) -> list[str]:
     bodies = files.bodies(text, name)
     lines = []
     for robot, kind, own in bodies[:MOST_BODIES]:
+        lines.append(f"**{own}** ({kind})")
         if kind == LINK:
             lines.append(about_link(robot, robot.links[own]))
         else:

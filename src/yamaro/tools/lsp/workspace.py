@@ -38,7 +38,11 @@ if TYPE_CHECKING:
 
 YAML_ENDINGS = (".yaml", ".yml")
 XML_ENDINGS = (".xacro", ".urdf", ".xml", ".sdf", ".mjcf", ".world")
-IS_OF_ROBOTS = re.compile("<(robot|mujoco|mujocoinclude|sdf|gazebo|xacro:[a-z]+)[\\s>]")
+_BEGINS_ROBOT = re.compile(
+    r"\s*(?:<\?.*?\?>\s*|<!--.*?-->\s*|<!(?!--)[^>]*>\s*)*"
+    r"<(?:robot|mujoco|mujocoinclude|sdf|gazebo)[\s>]",
+    re.DOTALL,
+)
 
 
 class Text:
@@ -81,7 +85,9 @@ class Text:
     @property
     def is_foreign(self) -> bool:
         """Return whether it is XML that is not about robots, such as a package.xml."""
-        return self.path.lower().endswith(".xml") and not IS_OF_ROBOTS.search(self.text)
+        return self.path.lower().endswith(".xml") and not (
+            _BEGINS_ROBOT.match(self.text) or "<xacro:" in self.text
+        )
 
     @property
     def parsed(self) -> Parsed:
@@ -164,7 +170,7 @@ class Text:
         if self._robot_names is None:
             from .robot_xml import RobotNames
 
-            root = self.xml
+            root = None if self.is_foreign else self.xml
             self._robot_names = run_on_deep_stack(lambda: RobotNames(root))
         return self._robot_names
 
