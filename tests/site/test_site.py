@@ -103,9 +103,10 @@ def test_fences_name_their_language_and_their_file(tmp_path: Path) -> None:
     )
 
 
-def test_the_gallery_holds_all_files_of_the_examples(pages: Path) -> None:
-    text = (pages / "gallery.md").read_text(encoding="utf-8")
-    folders = [path for path in (ROOT / "examples").iterdir() if path.is_dir()]
+@pytest.mark.parametrize(("name", "page"), [("examples", "gallery.md"), ("robots", "robots.md")])
+def test_a_page_holds_all_files_of_all_robots(name: str, page: str, pages: Path) -> None:
+    text = (pages / page).read_text(encoding="utf-8")
+    folders = [path for path in (ROOT / name).iterdir() if path.is_dir()]
     for folder in folders:
         for path in [*folder.rglob("*.yaml"), *folder.rglob("*.py")]:
             assert f'??? example "{path.relative_to(folder).as_posix()}"' in text

@@ -1,4 +1,4 @@
-"""Puts the pages of the site into a folder: those of docs/, and the gallery of the examples.
+"""Puts the pages of the site into a folder: those of docs/, the examples and the known robots.
 
     python web/site/stage.py FOLDER
 
@@ -21,6 +21,7 @@ DOCS = ROOT / "docs"
 PAGES = {
     "docs/README.md": "contents.md",
     "examples/README.md": "gallery.md",
+    "robots/README.md": "robots.md",
     "README.md": "index.md",
     "CHANGELOG.md": "changelog.md",
     "CONTRIBUTING.md": "contributing.md",
@@ -71,9 +72,9 @@ def main(target: Path) -> None:
     (target.parent / "mkdocs.yml").write_text(menu, encoding="utf-8")
     for name in ("CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "ARCHITECTURE.md"):
         stage.write(PAGES[name], stage.converted(ROOT / name))
-    stage.write(
-        "gallery.md", stage.converted(ROOT / "examples" / "README.md") + files_of_examples()
-    )
+    for folder in ("examples", "robots"):
+        page = ROOT / folder / "README.md"
+        stage.write(PAGES[f"{folder}/README.md"], stage.converted(page) + files_below(folder))
     shutil.copytree(ROOT / "web" / "site" / "assets", target / "assets")
 
 
@@ -124,8 +125,9 @@ class Stage:
             return f"{PAGES[name]}{anchor}"
         if meant.is_relative_to(DOCS):
             return f"{meant.relative_to(DOCS).as_posix()}{anchor}"
-        if name.startswith("examples/") and meant.is_dir():
-            return f"gallery.md#{Path(name).parts[1]}"
+        if name.startswith(("examples/", "robots/")) and meant.is_dir():
+            folder, robot = Path(name).parts[:2]
+            return f"{PAGES[f'{folder}/README.md']}#{robot}"
         if meant.is_dir():
             return "contents.md"
         return f"{self._copied(name)}{anchor}"
@@ -148,16 +150,16 @@ def _info(info: str) -> str:
     return f'{language} title="{file[1]}"' if file else language
 
 
-def files_of_examples() -> str:
-    """Return the files of all examples, each folded, below a picture."""
+def files_below(folder: str) -> str:
+    """Return the files of all robots in a folder, each folded, below a picture."""
     parts = []
-    for folder in sorted(path for path in (ROOT / "examples").iterdir() if path.is_dir()):
-        parts.append(f"\n## {folder.name}\n")
-        if (DOCS / "pictures" / f"{folder.name}.png").exists():
-            parts.append(f"![{folder.name}](pictures/{folder.name}.png)\n")
-        for path in sorted(folder.rglob("*"), key=lambda one: (one.parent, one.name)):
+    for robot in sorted(path for path in (ROOT / folder).iterdir() if path.is_dir()):
+        parts.append(f"\n## {robot.name}\n")
+        if (DOCS / "pictures" / f"{robot.name}.png").exists() and folder == "examples":
+            parts.append(f"![{robot.name}](pictures/{robot.name}.png)\n")
+        for path in sorted(robot.rglob("*"), key=lambda one: (one.parent, one.name)):
             if path.suffix in (".yaml", ".py"):
-                name = path.relative_to(folder).as_posix()
+                name = path.relative_to(robot).as_posix()
                 text = path.read_text(encoding="utf-8")
                 body = "".join(f"    {line}\n" if line else "\n" for line in text.splitlines())
                 language = path.suffix[1:]
