@@ -29,6 +29,12 @@ TOLERANCE = 1e-9
 NOISE = 100.0
 """How many times as far sensors may be off as a rounding of the positions moves them."""
 ROUNDING = 1e-15
+SAME_PLACE = 1e-11
+"""In m, and of directions: how far the places of shapes may be off that are the same."""
+FULL = slice(1, 3)
+"""Which warnings are those of more contacts, or constraints, than a model has memory for."""
+NO_CONTACTS = 1 << 4
+"""mjDSBL_CONTACT."""
 ROUNDED = ("body_pos", "body_quat", "geom_pos", "geom_quat")
 WIDTHS = {0: (7, 6), 1: (4, 3), 2: (1, 1), 3: (1, 1)}
 """How many numbers of qpos and qvel a joint of each type has."""
@@ -201,13 +207,17 @@ class Comparison:
             self.found.setdefault("joint types", "differ")
             return
         self._control(random)
+        has_contacts = not one.model.opt.disableflags & NO_CONTACTS
         try:
             mujoco.mj_forward(one.model, one.data)
-        except mujoco.FatalError:  # more contacts than it has memory for
+            mujoco.mj_forward(two.model, two.data)
+            is_full = bool(one.data.warning[FULL].number.any())
+        except mujoco.FatalError:
+            is_full = True
+        if is_full or self._contacts_jump():
             for each in (one, two):
-                each.model.opt.disableflags |= mujoco.mjtDisableBit.mjDSBL_CONTACT
-            mujoco.mj_forward(one.model, one.data)
-        mujoco.mj_forward(two.model, two.data)
+                each.model.opt.disableflags |= NO_CONTACTS
+                mujoco.mj_forward(each.model, each.data)
         full, other = (np.zeros((each.model.nv, each.model.nv)) for each in (one, two))
         mujoco.mj_fullM(one.model, one.data, full)
         mujoco.mj_fullM(two.model, two.data, other)
@@ -227,6 +237,29 @@ class Comparison:
                 turns = one.data.site_xmat[index], two.data.site_xmat[twin]
                 self._note("site poses", *turns, label)
         self._compare_sensors(noise)
+        if has_contacts:
+            for each in (one, two):
+                each.model.opt.disableflags &= ~NO_CONTACTS
+
+    def _contacts_jump(self) -> bool:
+        """Return whether contacts differ by more than roundings of the same shapes could.
+
+        The direction of a contact of two convex shapes can jump.
+        """
+        one, two = self.first.data, self.second.data
+        places = self._maps["geom"]
+        if not one.ncon or None in places:
+            return False
+        for name in ("xpos", "xmat"):
+            first, second = (getattr(each, f"geom_{name}") for each in (one, two))
+            if not np.abs(first - second[places]).max() <= SAME_PLACE:
+                return False
+        sizes = self.first.model.geom_size, self.second.model.geom_size[places]
+        if not np.allclose(*sizes, rtol=SAME_PLACE, atol=0):
+            return False
+        if one.ncon != two.ncon:
+            return True
+        return bool(np.abs(one.contact.frame - two.contact.frame).max() > SAME_PLACE)
 
     def _noise(self) -> Array:
         """Return how much a rounding of positions changes what each sensor measures.

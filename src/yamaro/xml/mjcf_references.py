@@ -6,7 +6,7 @@ from .values import format_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
 
     from .tree import Element
 
@@ -24,6 +24,8 @@ REFERENCES = {
 """The attributes that name something, and the kinds of what they name."""
 OBJECTS = {"objname": "objtype", "refname": "reftype"}
 """The attributes that name something whose kind another one says."""
+DIRECTIONS = frozenset(("framequat", "framexaxis", "frameyaxis", "framezaxis"))
+"""The sensors that measure the axes of what they are at."""
 SHARED = frozenset(("material", "texture", "mesh", "hfield", "key"))
 """What several robots in a document share, or what is found by its name, as a state is."""
 
@@ -34,6 +36,21 @@ def kind_in(element: Element, attribute: str) -> str | None:
         kind = format_value(element.attributes.get(OBJECTS[attribute]))
         return "body" if kind == "xbody" else kind
     return REFERENCES.get(attribute)
+
+
+def measured_bodies(sensor: str, said: Callable[[str], str | None]) -> set[str]:
+    """Return the bodies along the axes of whose inertia a sensor measures.
+
+    Args:
+        sensor: the name of its element.
+        said: gives the text of an attribute.
+    """
+    found = set()
+    if sensor in DIRECTIONS and said("objtype") == "body":
+        found.add(said("objname") or "")
+    if said("reftype") == "body":
+        found.add(said("refname") or "")
+    return found
 
 
 def words(element: Element, value: object) -> list[str]:

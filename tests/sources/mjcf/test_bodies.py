@@ -6,7 +6,9 @@ from pathlib import Path
 
 import pytest
 
+import yamaro
 from tests.sources.mjcf.compiled import assert_same, robot_of
+from tests.targets.same_mjcf import Comparison
 
 BODY = """
 <mujoco model="arm">
@@ -111,3 +113,40 @@ def test_classes_are_inherited_and_overridden(tmp_path) -> None:
     assert_same(path)
     damping = [joint.dynamics.damping for joint in robot_of(path).joints.values()]
     assert damping == [0.1, 0.1, 0.1]
+
+
+MEASURED = """
+<mujoco>
+  <worldbody>
+    <body name="b" euler="10 20 30">
+      <freejoint/>
+      {geoms}
+    </body>
+  </worldbody>
+  <sensor>
+    <framequat name="turn" objtype="body" objname="b"/>
+    <framexaxis name="x" objtype="body" objname="b"/>
+  </sensor>
+</mujoco>
+"""
+BOX = '<geom type="box" size="{0}" pos="{1}" euler="{2}"/>'
+
+
+@pytest.mark.parametrize(
+    ("boxes", "losses"),
+    [
+        ([(".1 .2 .03", ".3 0 .1", "10 0 20"), (".1 .1 .1", "0 .2 0", "0 0 0")], 0),
+        ([(".1 .2 .03", "0 0 .1", "0 0 0"), (".1 .1 .1", "0 0 -.2", "0 0 0")], 0),
+        ([(".1 .02 .03", "0 0 .1", "0 0 0"), (".2 .1 .1", "0 0 -.1", "0 0 0")], 0),
+        ([(".1 .1 .1", each, "0 0 0") for each in (".2 0 0", "0 .2 0", "0 0 .2")], 1),
+    ],
+)
+def test_sensors_measure_along_the_axes_that_mujoco_takes(boxes, losses, tmp_path) -> None:
+    source, made = tmp_path / "source.xml", tmp_path / "made.xml"
+    geoms = "".join(BOX.format(*each) for each in boxes)
+    source.write_text(MEASURED.format(geoms=geoms), encoding="utf-8")
+    build = yamaro.build(source, target="mjcf")
+    made.write_text(build.xml(), encoding="utf-8")
+    assert [each.kind for each in build.losses] == ["approximated"] * losses
+    if not losses:
+        assert Comparison(str(source), str(made), states=3).found == {}

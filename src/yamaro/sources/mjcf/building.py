@@ -10,6 +10,7 @@ from ...model.joint import FIXED
 from ...model.making import Place, element
 from ...model.pose import IDENTITY, UNTURNED, ZERO, Pose
 from ...model.values import shape_name
+from ...xml.mjcf_references import measured_bodies
 from ...xml.tree import Element
 from .actuators import Drives
 from .assets import Assets
@@ -197,8 +198,22 @@ class Builder:
                 continue
             if found is not None:
                 masses[body.name] = found
+        self._align_measured(masses)
         total = number(self.context.compiler.given, "settotalmass", -1.0)
         return scaled(masses, total) if total > 0 else masses
+
+    def _align_measured(self, masses: dict[str, Mass]) -> None:
+        """Turn masses to the axes that MuJoCo gives them, where sensors measure along these.
+
+        Those of an inertia that is not diagonal are left to MuJoCo, which the writer lets find them
+        again.
+        """
+        for context in self.contexts:
+            for sensor in context.things("sensor"):
+                for name in measured_bodies(sensor.kind, sensor.text):
+                    mass = masses.get(name)
+                    if mass is not None and not mass.is_along_principal_axes:
+                        masses[name] = mass.in_order()
 
     # --- names ---
 

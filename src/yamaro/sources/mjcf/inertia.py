@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from math import pi
+
 from ...model.inertia import principal_axes
-from ...model.pose import IDENTITY, UNTURNED, ZERO, Pose, multiply, transposed
+from ...model.pose import IDENTITY, UNTURNED, ZERO, Pose, multiply, rotation_about, transposed
 from .compiler import SMALLEST, chosen, fault, number, numbers, truth
 
 TYPE_CHECKING = False
@@ -26,20 +28,40 @@ class Mass:
     Attributes:
         mass: in kg.
         pose: T_body_inertial: its position is the centre of mass.
-        moments: the diagonal of the inertia along the axes of the pose, in kg·m², or None.
         inertia: the whole matrix along these axes.
+        is_along_principal_axes: whether MuJoCo takes the axes of the pose as they are; others it
+            works out, with the greatest moment first.
     """
 
-    __slots__ = ("inertia", "mass", "pose")
+    __slots__ = ("inertia", "is_along_principal_axes", "mass", "pose")
 
-    def __init__(self, mass: float, pose: Pose, inertia: Rotation) -> None:
+    def __init__(
+        self, mass: float, pose: Pose, inertia: Rotation, *, is_along_principal_axes: bool = True
+    ) -> None:
         self.mass = mass
         self.pose = pose
         self.inertia = inertia
+        self.is_along_principal_axes = is_along_principal_axes
 
     def is_nothing(self) -> bool:
         """Return whether it has neither mass nor inertia, as what stands still may in MuJoCo."""
         return not self.mass and not any(map(any, self.inertia))
+
+    def in_order(self) -> Mass:
+        """Return it along axes with the greatest moment first, if the matrix is diagonal.
+
+        Source: MuJoCo, engine_util_solve.c: mju_eig3 swaps two moments by a quarter turn about the
+        third axis, of neighbours: the first two, the last two, the first two.
+        """
+        if any((self.inertia[0][1], self.inertia[0][2], self.inertia[1][2])):
+            return self
+        moments, pose = [self.inertia[i][i] for i in range(3)], self.pose
+        for first in (0, 1, 0):
+            if moments[first] < moments[first + 1]:
+                moments[first : first + 2] = moments[first + 1], moments[first]
+                axis = (1.0, 0.0, 0.0) if first else (0.0, 0.0, 1.0)
+                pose = pose @ Pose(rotation_about(axis, pi / 2), ZERO)
+        return Mass(self.mass, pose, diagonal(moments), is_along_principal_axes=False)
 
     def along(self) -> tuple[Pose, Vector]:
         """Return the pose along the principal axes, and the moments about them."""
@@ -89,7 +111,8 @@ def _given(thing: Placed) -> Mass:
         pose = thing.pose @ pose
     if full is not None:
         xx, yy, zz, xy, xz, yz = full
-        return Mass(mass, pose, ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz)))
+        rows: Rotation = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
+        return Mass(mass, pose, rows, is_along_principal_axes=False)
     return Mass(mass, pose, diagonal(diag or (0.0, 0.0, 0.0)))
 
 
@@ -130,7 +153,8 @@ def _of_geoms(body: Body, geoms: Iterable[Geom]) -> Mass | None:
     xx, yy, zz, xy, xz, yz = sums
     noise = 1e-16 * (xx + yy + zz)
     xy, xz, yz = (0.0 if abs(each) < noise else each for each in (xy, xz, yz))
-    return Mass(total, Pose(UNTURNED, (x, y, z)), ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz)))
+    rows: Rotation = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
+    return Mass(total, Pose(UNTURNED, (x, y, z)), rows, is_along_principal_axes=False)
 
 
 def _bounded(body: Body, found: Mass | None) -> Mass | None:

@@ -8,7 +8,10 @@ set on that, and it keeps its place among what the block names; else it is added
 
 from __future__ import annotations
 
+from functools import partial
+
 from ...model.values import attribute_text, numbers_in
+from ...xml.mjcf_references import measured_bodies
 from ...xml.tree import OF_ATTACHED, Element
 from ...xml.values import format_value
 from ..foreign_xml import elements_of, settings_in
@@ -125,6 +128,13 @@ class Blocks:
             return said == "true"
         compilers = (each for each in self.sections if each.name == "compiler")
         return any(attribute_text(each, "alignfree") == "true" for each in compilers)
+
+    def measured_bodies(self) -> set[str]:
+        """Return the bodies along the axes of whose inertia sensors measure."""
+        found: set[str] = set()
+        for each in self.in_section("sensor"):
+            found |= measured_bodies(each.name, partial(attribute_text, each))
+        return found
 
     def is_plain(self, link: str) -> bool:
         """Return whether no block says anything of a link."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...model.kinematics import WORLD, link_poses
+from ...model.pose import UNTURNED
 from ...xml.tree import Element
 from ..elements import element, number, row
 from ..inertia import turned_moments, written_moments
@@ -120,6 +121,8 @@ def put_on_floor(writing: Writing) -> None:
             body.attributes = {"name": name, "pos": row((0.0, 0.0, height)), **body.attributes}
 
 
+SAME = 1e-9
+"""How far moments may be apart that are the same, as part of the greatest."""
 _ORDER = ("freejoint", "inertial", "joint", "geom", "site", "frame", "camera", "body")
 _RANKS = {name: rank for rank, name in enumerate(_ORDER)}
 
@@ -146,11 +149,22 @@ def inertial_of(writing: Writing, link: Link) -> Element | None:
     if origin is not None:
         places |= {"pos": origin.value_span("xyz"), "quat": origin.value_span("rpy")}
     attributes: Attributes = {"pos": pose["pos"] or "0 0 0", "mass": principal.mass}
-    if writing.blocks.is_aligned(link.name):
-        # MuJoCo turns the body to principal axes, in an order of its own.
-        (xx, xy, xz), (_, yy, yz), (_, _, zz) = turned_moments(
-            principal.moments, principal.pose.rotation
-        )
+    _, ixy, ixz, _, iyz, _ = inertial.inertia
+    is_turned = any((ixy, ixz, iyz))
+    is_measured = is_turned and writing.body_name(link.name) in writing.inertias_measured
+    a, b, c = sorted(principal.moments)
+    if is_measured and min(b - a, c - b) <= SAME * c:  # any axes will do, and roundings decide
+        what, how = "axes of equal moments of inertia that sensors measure along", "any of them"
+        writing.losses.approximate(what, link, part=inertial, how=how)
+    is_of_mjcf = is_turned and writing.blocks.is_whole
+    if writing.blocks.is_aligned(link.name) or is_measured or is_of_mjcf:
+        # MuJoCo turns the body, what sensors measure along, and where it takes a shape to be that
+        # is within 1e-6 m of it, to principal axes in an order of its own.
+        if inertial.pose.rotation == UNTURNED and not principal.is_changed:
+            matrix = inertial.matrix()
+        else:
+            matrix = turned_moments(principal.moments, principal.pose.rotation)
+        (xx, xy, xz), (_, yy, yz), (_, _, zz) = matrix
         attributes["fullinertia"] = (xx, yy, zz, xy, xz, yz)
     else:
         attributes = {

@@ -248,6 +248,7 @@ class Writing:
         names: the names that are taken.
         plan: which links are bodies and which are sites.
         inertias: the masses of the links.
+        inertias_measured: the names of bodies along the axes of whose inertia sensors measure.
         bodies: the body of each link that is one, by the name of the link.
         sections: the sections of the document, by name.
         losses: what MJCF cannot hold.
@@ -268,8 +269,8 @@ class Writing:
 
     __slots__ = (
         "_body_names", "blocks", "bodies", "classes", "collisions", "controls", "errors", "files",
-        "inertias", "joints", "losses", "measured", "model", "motions", "names", "plan",
-        "release", "renamed_geoms", "robot", "sections", "solids", "wanted",
+        "inertias", "inertias_measured", "joints", "losses", "measured", "model", "motions",
+        "names", "plan", "release", "renamed_geoms", "robot", "sections", "solids", "wanted",
     )  # fmt: skip
 
     def __init__(self, robot: Robot, wanted: Wanted) -> None:
@@ -286,6 +287,7 @@ class Writing:
         self.measured: dict[str, str] = {}
         self.renamed_geoms: dict[tuple[str, str], str] = {}
         self.blocks = Blocks(robot)
+        self.inertias_measured = self.blocks.measured_bodies()
         self.plan = Plan(robot, self.blocks, is_fixed=wanted.is_fixed)
         self.sections = {name: element(name, owner=robot.element) for name in SECTIONS}
         self.bodies: dict[str, Element] = {}
