@@ -1,7 +1,8 @@
 """Prints the notes of a release: what CHANGELOG.md says of its version.
 
-release_notes.py VERSION     the notes of that version
-release_notes.py --version   the version in src/yamaro/__init__.py
+release_notes.py VERSION                the notes of that version
+release_notes.py --version              the version in src/yamaro/__init__.py
+release_notes.py --next-steps VERSION   what the owner has to do, from scripts/next_steps.md
 """
 
 import re
@@ -44,6 +45,12 @@ def main() -> None:
     """Print what is asked for."""
     if sys.argv[1:] == ["--version"]:
         print(version())
+        return
+    if sys.argv[1:2] == ["--next-steps"]:
+        steps = (ROOT / "scripts" / "next_steps.md").read_text(encoding="utf-8")
+        plain = re.match(r"[\d.]+", sys.argv[2])
+        assert plain is not None
+        sys.stdout.write(steps.replace("{version}", sys.argv[2]).replace("{plain}", plain[0]))
         return
     (wanted,) = sys.argv[1:]
     try:

@@ -1,7 +1,8 @@
 """Writes what follows from the words of the messages, the files `rules.md` in `src/yamaro`.
 
 python scripts/rules.py            writes docs/diagnostics.md from its first mark on, the
-                                   tables of docs/checks.md, and src/yamaro/severities.py
+                                   tables of docs/checks.md (also from what tests/consumers/readers.txt says
+                                   of programs that read URDF), and src/yamaro/severities.py
 python scripts/rules.py --check    only reports which of them are out of date
 """
 
@@ -10,6 +11,7 @@ from __future__ import annotations
 import os
 import re
 import sys
+from collections import defaultdict
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -27,6 +29,10 @@ ROOMS = "yaml syntax files xacro sources safe robot check targets picture".split
 MARK = "<!-- scripts/rules.py writes the rest, from the files rules.md in src/yamaro -->\n"
 FENCED = re.compile(r"^(```.*?^```$)", re.MULTILINE | re.DOTALL)
 LINK = re.compile(r"\]\(([^)\s]+)\)")
+BAD_ROBOTS = ROOT / "tests" / "check" / "bad_robots"
+READERS = ROOT / "tests" / "consumers" / "readers.txt"
+"""What programs do with the robots of BAD_ROBOTS; tests/consumers/readers.py writes it."""
+SIGNS = {"refuses": "✗", "crashes": "crash", "reports": "(✗)", "reads": "–"}
 SEVERITIES = '''\
 """The severity of each code that a document can be written with; scripts/rules.py writes this.
 
@@ -80,18 +86,49 @@ def moved(page: Path) -> Iterator[str]:
 
 
 def table(chapter: str) -> str:
-    """Return the table of a chapter: its codes, how severe they are, and what they mean."""
-    rows = [row(rule) for rule in rules().values() if rule.chapter == chapter]
-    if not rows:
+    """Return the table of a chapter: its codes, how severe they are, and what they mean.
+
+    With a column for each program of READERS, if it was tried on robots with these faults.
+    """
+    of_chapter = [rule for rule in rules().values() if rule.chapter == chapter]
+    if not of_chapter:
         sys.exit(f"docs/checks.md has a table of '{chapter}', which is a chapter of no rules.md")
-    return "\n".join(["| code | severity | fault |", "|---|---|---|", *rows]) + "\n"
+    programs, signs = signs_by_code()
+    if not any(rule.code in signs for rule in of_chapter):
+        programs, signs = [], {}
+    heads = ["code", "severity", "fault", *programs]
+    rows = [[*cells(rule), *signs.get(rule.code, [""] * len(programs))] for rule in of_chapter]
+    rules_of_columns = ["---"] * 3 + [":-:"] * len(programs)
+    return "".join(f"| {' | '.join(row)} |\n" for row in [heads, rules_of_columns, *rows])
 
 
-def row(rule: Rule) -> str:
-    """Return the row of a code."""
+def cells(rule: Rule) -> list[str]:
+    """Return the cells of a code."""
     link = f"[`{rule.code}`](diagnostics.md#{rule.anchor})"
     severity = rule.severity.replace(" that can be allowed", "") or "error"
-    return f"| {link} | {severity} | {rule.summary} |"
+    return [link, severity, rule.summary]
+
+
+def signs_by_code() -> tuple[list[str], dict[str, list[str]]]:
+    """Return the programs that read URDF, and the signs of what they do with each fault."""
+    lines = READERS.read_text(encoding="utf-8").splitlines()
+    recorded = {name: words.split() for name, _, words in (line.partition(": ") for line in lines)}
+    programs = recorded.pop("robot")
+    verdicts: defaultdict[str, list[list[str]]] = defaultdict(list)
+    for page in sorted(BAD_ROBOTS.glob("*.txt")):
+        for line in page.read_text(encoding="utf-8").splitlines():
+            name, _, codes = line.removeprefix("### ").partition(" | ")
+            if line.startswith("### ") and name in recorded and ", " not in codes:
+                verdicts[codes].append(recorded[name])
+    return programs, {
+        code: [sign(set(column)) for column in zip(*rows, strict=True)]
+        for code, rows in verdicts.items()
+    }
+
+
+def sign(verdicts: set[str]) -> str:
+    """Return the sign of what a program does with the robots that have one fault."""
+    return SIGNS[verdicts.pop()] if len(verdicts) == 1 else "some"
 
 
 if __name__ == "__main__":

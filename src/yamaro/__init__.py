@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from .tools.sweep.api import sweep as sweep
     from .yaml.nodes import FlexiDict as FlexiDict
 
-__version__ = "0.1.0"
+__version__ = "1.0.0rc1"
 __all__ = [
     "Build",
     "Diagnostic",
