@@ -1,8 +1,8 @@
 """Writes what follows from the words of the messages, the files `rules.md` in `src/yamaro`.
 
 python scripts/rules.py            writes docs/diagnostics.md from its first mark on, the
-                                   tables of docs/checks.md (also from what tests/consumers/readers.txt says
-                                   of programs that read URDF), and src/yamaro/severities.py
+                                   tables of docs/checks.md with what programs do, from
+                                   tests/consumers/readers.txt, src/yamaro/severities.py
 python scripts/rules.py --check    only reports which of them are out of date
 """
 
