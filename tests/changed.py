@@ -49,7 +49,7 @@ ELSEWHERE = {
     "docs/": ("tests/test_docs.py", "tests/test_links.py", "tests/test_prose.py"),
     "editors/": ("tests/editors",),
     "examples/": ("tests/test_examples.py", "tests/consumers", "tests/examples"),
-    "robots/": ("tests/test_shelf.py",),
+    "robots/": ("tests/test_shelf.py", "tests/test_links.py", "tests/site"),
     "ros/": ("tests/ros", "tests/tools/new"),
     "scripts/": ("tests/test_release.py",),
     "scripts/shelf": ("tests/test_shelf.py",),
