@@ -87,8 +87,24 @@ def test_pieces_are_few_convex_and_closed_and_cover_the_mesh(name: str) -> None:
     points = np.concatenate([body.vertices, trimesh.sample.sample_surface(body, 2000, seed=1)[0]])
     assert heights_over(pieces, points).max() < 1e-9 * size
     if name in CONCAVE:
+        random = np.random.default_rng(2)
+        places = body.bounds[0] + random.random((3000, 3)) * body.extents
+        assert heights_over(pieces, places[body.contains(places)]).max() < 1e-9 * size
         excess = sum(body_of(each).volume for each in pieces) - body.volume
         assert excess < (body.convex_hull.volume - body.volume) / 2
+
+
+def test_bodies_of_boxes_are_cut_into_boxes_without_gaps_or_excess() -> None:
+    pieces = [body_of(each) for each in decompose(mesh_of(angle()), 8)]
+    assert len(pieces) == 2
+    assert sum(each.volume for each in pieces) == pytest.approx(3)
+
+
+def test_a_body_inside_of_another_changes_nothing() -> None:
+    """Exporters write screws and bearings, whose surfaces are inside of the part around them."""
+    both = trimesh.util.concatenate([angle(), creation.icosphere(2, 0.2)])
+    pieces = [body_of(each) for each in decompose(mesh_of(both), 8)]
+    assert sum(each.volume for each in pieces) == pytest.approx(3)
 
 
 @pytest.mark.parametrize("name", BODIES)

@@ -1,16 +1,17 @@
 """Convex pieces of meshes: the convex hull, and a decomposition into several hulls.
 
-A piece is the hull of the surface on one side of planes. So pieces contain the surface by
-construction, also where it is open or not a manifold, and planes are chosen by the volume of the
-hulls alone. Between pieces that are cut more than once, deep inside of the solid, there can be
-gaps, into which nothing gets from outside. More pieces are cut than asked for, and those merged
-whose common hull is the least larger. Source of that: K. Mamou, F. Ghorbel, A simple and efficient
+Planes cut the mesh, and a piece is the hull of what is on one side of each of some planes: of the
+surface there, and of the points in the solid where three planes meet. The farthest points of the
+solid between planes are among these. So pieces contain the surface by construction, also where it
+is open or not a manifold, and the solid. More pieces are cut than asked for, and those merged whose
+common hull is the least larger. Source of that: K. Mamou, F. Ghorbel, A simple and efficient
 approach for 3D mesh approximate convex decomposition, ICIP 2009.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from itertools import combinations
+from typing import TYPE_CHECKING
 
 import numpy as np
 from scipy.spatial import ConvexHull, HalfspaceIntersection, QhullError
@@ -18,16 +19,12 @@ from scipy.spatial import ConvexHull, HalfspaceIntersection, QhullError
 from ..meshes.formats import MeshFileError
 from ..meshes.triangles import TriangleMesh, is_closed
 from ..model.inertia import solid_moments
-from .sampling import arrays_of
-from .spheres import Solid
+from .sampling import Solid, arrays_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from numpy.typing import NDArray
-
-    Floats = NDArray[np.floating[Any]]
-    Whole = NDArray[np.integer[Any]]
+    from .sampling import Floats, Whole
 
 MOST_CORNERS = 64
 """Corners of a piece: more than that PhysX does not take on a GPU."""
@@ -43,31 +40,52 @@ BALANCE = 0.03
 """How much planes count that cut a piece in parts of equal size, as against those that save."""
 WORTH = 0.004
 """Part of the hull's volume that one more piece has to save."""
-NOTHING = np.empty((0, 3, 3))
+PARALLEL = 1e-6
+"""The volume that three unit normals span, below which their planes do not meet in one point."""
+HAIR = 1e-6
+"""How far outside, by its size, points are on the surface of a solid."""
+NO_TRIANGLES, NO_POINTS, NO_PLANES = np.empty((0, 3, 3)), np.empty((0, 3)), np.empty((0, 4))
+NO_HEIGHTS = np.empty(0)
 DIGITS = 9
 """Digits by which volumes are compared, so that equal ones are equal on all machines."""
 
 
 class Piece:
-    """A part of the surface, and the hull around it.
+    """The part of a solid between planes, and the hull around it.
 
     Attributes:
-        triangles: the part, N×3×3, in metres.
+        triangles: the surface there, N×3×3, in metres.
         coarse: the same with few triangles, by which planes are chosen.
-        corners: those of the hull of `coarse`, N×3; after merging, of the part.
-        inner: places of a grid that are inside the mesh and in this part, N×3.
+        planes: those around it, each as its normal, which points outward, and its place along
+            that, N×4.
+        deep: where three of these planes meet in the solid, N×3.
+        inner: places of a grid that are in the solid and in this part, N×3.
+        corners: those of the hull of `coarse` and `deep`, N×3; in the end, of `triangles` as well.
         volume: of that hull.
         split: how good the best plane is, its normal and its place along that; None before it was
             looked for.
     """
 
-    __slots__ = ("coarse", "corners", "inner", "split", "triangles", "volume")
+    __slots__ = (
+        "coarse", "corners", "deep", "inner", "planes", "solid", "split", "triangles", "volume",
+    )  # fmt: skip
 
-    def __init__(self, triangles: Floats, coarse: Floats, inner: Floats) -> None:
+    def __init__(
+        self,
+        triangles: Floats,
+        coarse: Floats,
+        solid: Solid,
+        inner: Floats,
+        planes: Floats = NO_PLANES,
+        deep: Floats = NO_POINTS,
+    ) -> None:
         self.triangles = triangles
         self.coarse = coarse
+        self.solid = solid
         self.inner = inner
-        self.corners, self.volume = _hull(coarse.reshape(-1, 3))
+        self.planes = planes
+        self.deep = deep
+        self.corners, self.volume = _hull(np.concatenate([coarse.reshape(-1, 3), deep]))
         self.split: tuple[float, Floats, float] | None = None
 
     def parts(self) -> list[Piece]:
@@ -76,9 +94,34 @@ class Piece:
         _, normal, place = self.split
         fine = cut(self.triangles, normal, place)
         coarse = cut(self.coarse, normal, place)
-        is_above = self.inner @ normal > place
-        inner = (self.inner[~is_above], self.inner[is_above])
-        return [Piece(*each) for each in zip(fine, coarse, inner, strict=True)]
+        (met,) = self.met(normal, [place])
+        met = met[self.solid.holds(met)]
+        found = []
+        for number, sign in enumerate((1.0, -1.0)):
+            plane = sign * np.append(normal, place)
+            deep = self.deep[sign * (self.deep @ normal - place) <= 0]
+            inner = self.inner[sign * (self.inner @ normal - place) <= 0]
+            planes = np.vstack([self.planes, plane])
+            deep = np.concatenate([deep, met])
+            found.append(Piece(fine[number], coarse[number], self.solid, inner, planes, deep))
+        return found
+
+    def met(self, normal: Floats, places: Sequence[float] | Floats) -> list[Floats]:
+        """Return the points where each of parallel planes meets two of those around the piece."""
+        found: list[Floats] = [NO_POINTS] * len(places)
+        for first, second in combinations(self.planes, 2):
+            line = np.cross(first[:3], second[:3])
+            slope = float(line @ normal)
+            if abs(slope) < PARALLEL:
+                continue
+            across, along = np.cross(second[:3], normal), np.cross(normal, first[:3])
+            middle = first[3] * across + second[3] * along
+            points = (middle + np.outer(places, line)) / slope
+            above = points @ self.planes[:, :3].T - self.planes[:, 3]
+            is_met = (above <= 1e-9 * self.solid.size).all(axis=1)
+            for index in np.flatnonzero(is_met):
+                found[index] = np.vstack([found[index], points[index]])
+        return found
 
 
 def hull_of(mesh: TriangleMesh) -> TriangleMesh:
@@ -102,7 +145,7 @@ def decompose(mesh: TriangleMesh, count: int) -> list[TriangleMesh]:
     points, indices = arrays_of(mesh)
     triangles = points[indices]
     solid = Solid(points, indices)
-    whole = Piece(triangles, _coarse(points, indices), solid.inner)
+    whole = Piece(triangles, _coarse(points, indices), solid, solid.inner)
     if not whole.volume > 0:
         raise MeshFileError("it is flat, so that no convex piece has a volume")
     least = WORTH * whole.volume
@@ -117,7 +160,8 @@ def decompose(mesh: TriangleMesh, count: int) -> list[TriangleMesh]:
             break
         pieces[index : index + 1] = pieces[index].parts()
     for each in pieces:
-        each.corners, each.volume = _hull(each.triangles.reshape(-1, 3))
+        points = np.concatenate([each.triangles.reshape(-1, 3), each.deep])
+        each.corners, each.volume = _hull(points)
     pieces = _merged(pieces, count, least)
     pieces.sort(key=lambda each: -each.volume)
     return [_hull_mesh(simplified(each.corners)) for each in pieces]
@@ -219,13 +263,22 @@ def _scan(
     places = np.linspace(low, high, CUTS + 2)[1:-1]
     parts = []
     rest, rest_heights = piece.coarse, heights
-    for place in places:  # slabs from below, each as the corners of its hull
+    met = []
+    for points in piece.met(normal, places):
+        apart = piece.solid.distances(points) if len(points) else NO_HEIGHTS
+        met.append(points[apart <= HAIR * piece.solid.size])
+    deep = np.searchsorted(places, piece.deep @ normal)
+    more = [
+        np.concatenate([piece.deep[deep == index], *met[max(index - 1, 0) : index + 1]])
+        for index in range(CUTS + 1)
+    ]
+    for index, place in enumerate(places):  # slabs from below, each as the corners of its hull
         touched = rest_heights.min(axis=1) < place
         slab, above = cut(rest[touched], normal, place)
         rest = np.concatenate([rest[~touched], above])
         rest_heights = rest @ normal
-        parts.append(_hull(slab.reshape(-1, 3))[0])
-    parts.append(_hull(rest.reshape(-1, 3))[0])
+        parts.append(_hull(np.concatenate([slab.reshape(-1, 3), more[index]]))[0])
+    parts.append(_hull(np.concatenate([rest.reshape(-1, 3), more[-1]]))[0])
     below, above = np.array(_growing(parts[:-1])), np.array(_growing(parts[:0:-1])[::-1])
     worth = 1 - (below + above - BALANCE * np.minimum(below, above)) / piece.volume
     index = int(np.round(worth, DIGITS).argmax())
@@ -258,7 +311,9 @@ def _merged(pieces: list[Piece], count: int, least: float) -> list[Piece]:
             for second in names[i + 1 :]:
                 if (first, second) not in found:
                     corners = np.concatenate([alive[first].corners, alive[second].corners])
-                    found[first, second] = Piece(NOTHING, corners, NOTHING)
+                    found[first, second] = Piece(
+                        NO_TRIANGLES, NO_TRIANGLES, pieces[0].solid, NO_POINTS, deep=corners
+                    )
         added = {
             pair: float(np.round((each.volume - alive[pair[0]].volume - alive[pair[1]].volume)
                                  / least, DIGITS))

@@ -11,28 +11,17 @@ taken away, and put where others reach out the farthest.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy.spatial import cKDTree
 
-from .sampling import areas_of, arrays_of, spread_over
+from .sampling import Solid, arrays_of
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from ..meshes.triangles import TriangleMesh
     from ..model.pose import Vector
+    from .sampling import Floats, Whole
 
-    Floats = NDArray[np.floating[Any]]
-    Whole = NDArray[np.integer[Any]]
-
-SAMPLES = 3_000
-"""Points spread over the surface."""
-MOST_CORNERS = 3_000
-"""Corners of the mesh that are points as well."""
-CELLS = 24
-"""Places along the longest side of the box around the mesh, where spheres can begin."""
 SHARINGS = 8
 """How often points are shared again."""
 STEPS = 16
@@ -81,81 +70,6 @@ def spheres_of(mesh: TriangleMesh, count: int, *, cover: bool) -> list[tuple[Vec
         x, y, z = (round(float(each), 9) for each in best.centers[index])
         found.append(((x, y, z), round(float(radii[index]) + 2 * slack, 9)))
     return found
-
-
-class Solid:
-    """What a mesh encloses, also where it is not quite closed.
-
-    Attributes:
-        cell: the volume for which each of these places stands; 0 if there is none inside.
-        size: the longest side of the box around it, in metres.
-        points: points of the surface that spheres have to hold, N×3.
-        inner: places inside, N×3, and their distances to the surface.
-        depths: these distances.
-    """
-
-    __slots__ = (
-        "_is_inside", "_low", "_normals", "_spacing", "_step", "_tree", "cell", "depths", "inner",
-        "points", "size",
-    )  # fmt: skip
-
-    def __init__(self, points: Floats, triangles: Whole) -> None:
-        """Look at a surface: corners, N×3, and triangles, M×3."""
-        samples, found_in = spread_over(points, triangles, SAMPLES)
-        a, b, c = (points[triangles[found_in, corner]] for corner in range(3))
-        normals = np.cross(b - a, c - a)
-        area = float(areas_of(points, triangles).sum()) / SAMPLES
-        self._normals = normals / np.maximum(np.linalg.norm(normals, axis=1), 1e-300)[:, None]
-        self._tree = cKDTree(samples)
-        self._spacing = area**0.5
-        used = points[np.unique(triangles)]
-        self.points = np.concatenate([samples, used[:: len(used) // MOST_CORNERS + 1]])
-        low, high = used.min(axis=0), used.max(axis=0)
-        self.size = float((high - low).max())
-        self._step = step = self.size / CELLS
-        self._low = low
-        axes = [
-            low[axis] + step * np.arange(int((high - low)[axis] / step) + 1) for axis in range(3)
-        ]
-        grid = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1)
-        shape = grid.shape[:3]
-        places = grid.reshape(-1, 3)
-        turns = np.empty(len(places))
-        for start in range(0, len(places), 2048):
-            # The winding number: A. Jacobson et al., Robust inside-outside segmentation using
-            # generalized winding numbers, 2013, with a small disc in place of each sample.
-            away = samples[None] - places[start : start + 2048, None]
-            square = np.einsum("ijk,ijk->ij", away, away) + area / 8
-            facing = np.einsum("ijk,jk->ij", away, self._normals)
-            turns[start : start + 2048] = (facing / square**1.5).sum(axis=1) * area / (4 * np.pi)
-        if turns.sum() < 0:  # inside out
-            turns, self._normals = -turns, -self._normals
-        self._is_inside = (np.round(turns, 6) > 0.5).reshape(shape)
-        depths = -self.distances(places)
-        is_deep = depths > 0
-        self.inner, self.depths = places[is_deep], depths[is_deep]
-        self.cell = step**3
-        if not len(self.inner):
-            self.cell = 0.0
-            self.inner, self.depths = samples, np.zeros(len(samples))
-
-    def distances(self, places: Floats) -> Floats:
-        """Return the signed distances of places, N×3, to the surface, negative inside."""
-        apart, nearest = self._tree.query(places, k=3)
-        ahead = places[:, None] - self._tree.data[nearest]
-        facing = np.einsum("ijk,ijk->ij", ahead, self._normals[nearest])
-        outside = facing.sum(axis=1) > 0
-        cells = np.round((places - self._low) / self._step).astype(int)
-        limits: Whole = np.array(self._is_inside.shape) - 1
-        i, j, k = np.clip(cells, 0, limits).T
-        is_far = apart[:, 0] > max(self._step, 2 * self._spacing)
-        is_around = ((cells < 0) | (cells > limits)).any(axis=1)
-        outside = np.where(is_far, is_around | ~self._is_inside[i, j, k], outside)
-        # A sample is up to its spacing aside of the nearest point: the height over it is nearer.
-        height = np.minimum(np.abs(facing[:, 0]), apart[:, 0])
-        near = np.where(apart[:, 0] < 2 * self._spacing, height, apart[:, 0])
-        found: Floats = np.where(outside, near, -near)
-        return found
 
 
 class Spheres:

@@ -366,7 +366,6 @@ class _Collada(_Reader):
         self.names: list[str] = []
         self.roots: list[Body] = []
         self.nodes: dict[str, list[Body]] = {}
-        self._sizes: dict[str, int] = {}
         self._open: list[Body] = []
         self._geometry = ("", 0)
 
