@@ -208,6 +208,18 @@ def test_a_file_is_checked_in_the_robots_that_include_it(client: Client, work: P
     assert client.codes(other) == []
 
 
+def test_a_package_that_comes_to_the_folder_is_found(client: Client, work: Path) -> None:
+    manifest = work / "common/deep/rover_parts/package.xml"
+    text = manifest.read_text()
+    manifest.unlink()
+    uri = client.open(named(work, "rover.urdf.xacro"))
+    client.wait_for(lambda: client.codes(uri) == ["unknown-package"])
+    manifest.write_text(text)
+    changes = [{"uri": manifest.as_uri(), "type": 1}]
+    client.notify("workspace/didChangeWatchedFiles", {"changes": changes})
+    client.wait_for(lambda: client.codes(uri) == ["massless-moving"])
+
+
 def test_a_file_of_macros_that_nothing_includes_is_no_broken_robot(
     client: Client, tmp_path: Path
 ) -> None:

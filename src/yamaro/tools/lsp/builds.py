@@ -9,12 +9,13 @@ from __future__ import annotations
 import os
 import queue
 import threading
+from functools import partial
 from itertools import islice
 
 from ...diagnostics import YamaroError
 from ...files.loader import FileLoader, MemoryLoader, OverlayLoader
 from ...options import UsageError
-from ...source import Reading, RecordedSpan, Span
+from ...source import Reading, RecordedSpan, Span, is_xml_file
 from ...xml.tree import Element
 from ...xml.tree import Text as XmlText
 from ...xml.values import format_value
@@ -183,7 +184,7 @@ class Builder:
         self._jobs.put(task)
 
     def _run(self) -> None:
-        is_warm = False
+        warm: set[bool] = set()  # whether for XML, and for YAML
         while True:
             job = self._jobs.get()
             try:
@@ -193,12 +194,12 @@ class Builder:
                 result.fault = f"{type(error).__name__}: {error}"
             if result is not None:
                 self._done(result)
-            if not is_warm and isinstance(job, Job):
-                is_warm = True  # the first result does not wait for it
-                self._jobs.put(warm_up)
+            if isinstance(job, Job) and (is_xml := is_xml_file(job.main)) not in warm:
+                warm.add(is_xml)  # the first result does not wait for it
+                self._jobs.put(partial(warm_up, is_xml=is_xml))
 
 
-def warm_up() -> None:
+def warm_up(*, is_xml: bool = False) -> None:
     """Import what builds need: a jail is a copy of this process, and has it then from the start.
 
     Otherwise each build would import it again, which takes ten times as long as a build.
@@ -207,8 +208,9 @@ def warm_up() -> None:
 
     from ...program import Program
 
-    path = os.path.join(os.path.dirname(__file__), "usual.yaml")  # there is no such file
-    program = Program(path, text=_USUAL, loader=MemoryLoader({}))
+    text, name = (_USUAL_XACRO, "usual.xacro") if is_xml else (_USUAL, "usual.yaml")
+    path = os.path.join(os.path.dirname(__file__), name)  # there is no such file
+    program = Program(path, text=text, loader=MemoryLoader({}))
     program.build(advice=True, records=True, on_message=_drop)
     for name in _OF_JAILS:
         import_module(name, __package__)
@@ -235,6 +237,27 @@ model:
     - Arm: $(side)
 """
 """A robot with what most robots have, which `warm_up` builds."""
+_USUAL_XACRO = """<robot name="usual" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:arg name="length" default="1"/>
+  <xacro:property name="half" value="${float(xacro.arg('length')) / 2}"/>
+  <xacro:macro name="arm" params="side *origin">
+    <link name="${side}_arm">
+      <visual><geometry><box size="1 1 ${half}"/></geometry><material name="red"/></visual>
+      <inertial><mass value="1"/>
+        <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>
+    </link>
+    <joint name="${side}_joint" type="revolute">
+      <parent link="base"/><child link="${side}_arm"/><xacro:insert_block name="origin"/>
+      <axis xyz="0 0 1"/><limit lower="-1" upper="1" effort="1" velocity="1"/>
+    </joint>
+  </xacro:macro>
+  <material name="red"><color rgba="1 0 0 1"/></material>
+  <link name="base"/>
+  <xacro:if value="$(eval length == 1)"><xacro:arm side="left"><origin/></xacro:arm></xacro:if>
+  <gazebo reference="base"/><transmission name="t"/><ros2_control name="c" type="system"/>
+</robot>
+"""
+"""The same in xacro."""
 _OF_JAILS = (
     "...confined",
     "...safe.runtime",

@@ -21,7 +21,15 @@ from .protocol import (
     agreed_encoding,
     path_of,
 )
-from .workspace import XML_ENDINGS, Settings, Workspace, folders_of, may_be_of_robots, scan
+from .workspace import (
+    MANIFEST,
+    XML_ENDINGS,
+    Settings,
+    Workspace,
+    folders_of,
+    may_be_of_robots,
+    scan,
+)
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -53,6 +61,7 @@ class Server:
         self._parent: int | None = None
         self._edited: dict[str, None] = {}  # files whose parse is to be published
         self._due: dict[str, float] = {}  # when a main file is to be built
+        self._has_new_packages = False  # that a look through the workspace is to find
         self._requests = 0  # that were sent to the editor
         self._busy = threading.RLock()  # held while this thread works, and while another one forks
 
@@ -164,7 +173,9 @@ class Server:
         workspace = self._workspace
         if isinstance(result, dict):
             is_news = [workspace.note_includes(path, files) for path, files in result.items()]
-            if any(is_news):
+            if any(is_news) or self._has_new_packages:
+                self._has_new_packages = False
+                workspace.forget_packages()
                 for path in list(workspace.open):
                     self._touch(path, pause=0.0)
                 self._forget_builds()
@@ -305,11 +316,18 @@ class Server:
         return feature(method)(self._workspace, parameters)
 
     def _initialized(self, parameters: Json) -> None:
-        settings, folders = self._workspace.settings, list(self._workspace.folders)
-        if folders:
+        if self._workspace.folders:
             from .builds import Builder
 
-            self._builder = Builder(settings, lambda result: self._events.put(("done", result)))
+            self._builder = Builder(
+                self._workspace.settings, lambda result: self._events.put(("done", result))
+            )
+            self._scan()
+
+    def _scan(self) -> None:
+        """Look through the workspace, when the builds that wait are done."""
+        settings, folders = self._workspace.settings, list(self._workspace.folders)
+        if self._builder is not None and folders:
             self._builder.work(lambda: scan(folders, settings))
 
     def _opened(self, parameters: Json) -> None:
@@ -349,6 +367,9 @@ class Server:
         workspace = self._workspace
         for change in parameters["changes"]:
             path = path_of(change["uri"])
+            if os.path.basename(path) == MANIFEST and not self._has_new_packages:
+                self._has_new_packages = True
+                self._scan()
             text = workspace.text_of(path) if may_be_of_robots(path) else None
             if text is not None and workspace.note_includes(path, workspace.includes_of(text)):
                 for opened in list(workspace.open):

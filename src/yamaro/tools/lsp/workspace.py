@@ -290,6 +290,8 @@ MOST_MAINS = 5
 """Main files of one XML file that are built."""
 MOST_MATCHES = 50
 """Files that a path may mean of which parts are computed."""
+MANIFEST = "package.xml"
+"""The file that makes a folder a ROS package."""
 FINDER_SECONDS = 2.0
 """How long it holds where a package is."""
 _COMPUTED = re.compile(r"\$\([^)]*\)|\$\{[^}]*\}")
@@ -422,6 +424,10 @@ class Workspace:
             self._finder = finder_of(self.settings)
             self._finder_until = now + FINDER_SECONDS
         return self._finder
+
+    def forget_packages(self) -> None:
+        """Forget where packages were found, as there are others now."""
+        self._finder = None
 
     def package(self, name: str, folder: str) -> str | None:
         """Return the folder of a package that a file in some folder names, or None."""
