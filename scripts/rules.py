@@ -12,7 +12,7 @@ import os
 import re
 import sys
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -32,7 +32,8 @@ LINK = re.compile(r"\]\(([^)\s]+)\)")
 BAD_ROBOTS = ROOT / "tests" / "check" / "bad_robots"
 READERS = ROOT / "tests" / "consumers" / "readers.txt"
 """What programs do with the robots of BAD_ROBOTS; tests/consumers/readers.py writes it."""
-SIGNS = {"refuses": "✗", "crashes": "crash", "reports": "(✗)", "reads": "–"}
+NAMES = {each: each for each in ("urdfdom", "yourdfpy", "pinocchio", "libsdformat")}
+NAMES |= {"mujoco": "MuJoCo", "drake": "Drake"}
 SEVERITIES = '''\
 """The severity of each code that a document can be written with; scripts/rules.py writes this.
 
@@ -88,18 +89,20 @@ def moved(page: Path) -> Iterator[str]:
 def table(chapter: str) -> str:
     """Return the table of a chapter: its codes, how severe they are, and what they mean.
 
-    With a column for each program of READERS, if it was tried on robots with these faults.
+    If programs were tried on robots with these faults, it also has who refuses and reports them.
     """
     of_chapter = [rule for rule in rules().values() if rule.chapter == chapter]
     if not of_chapter:
         sys.exit(f"docs/checks.md has a table of '{chapter}', which is a chapter of no rules.md")
-    programs, signs = signs_by_code()
-    if not any(rule.code in signs for rule in of_chapter):
-        programs, signs = [], {}
-    heads = ["code", "severity", "fault", *programs]
-    rows = [[*cells(rule), *signs.get(rule.code, [""] * len(programs))] for rule in of_chapter]
-    rules_of_columns = ["---"] * 3 + [":-:"] * len(programs)
-    return "".join(f"| {' | '.join(row)} |\n" for row in [heads, rules_of_columns, *rows])
+    verdicts = verdicts_by_code()
+    heads, rows = ["code", "severity", "fault"], [cells(rule) for rule in of_chapter]
+    if any(rule.code in verdicts for rule in of_chapter):
+        heads += ["refused by", "reported by"]
+        for rule, row in zip(of_chapter, rows, strict=True):
+            by_program = verdicts.get(rule.code, {})
+            row += [names_of(by_program, {"refuses", "crashes"}), names_of(by_program, {"reports"})]
+    lines = [heads, ["---"] * len(heads), *rows]
+    return "".join(f"| {' | '.join(line)} |\n" for line in lines)
 
 
 def cells(rule: Rule) -> list[str]:
@@ -109,26 +112,36 @@ def cells(rule: Rule) -> list[str]:
     return [link, severity, rule.summary]
 
 
-def signs_by_code() -> tuple[list[str], dict[str, list[str]]]:
-    """Return the programs that read URDF, and the signs of what they do with each fault."""
+def verdicts_by_code() -> dict[str, dict[str, list[str]]]:
+    """Return what each program that reads URDF does with the robots of each fault."""
     lines = READERS.read_text(encoding="utf-8").splitlines()
     recorded = {name: words.split() for name, _, words in (line.partition(": ") for line in lines)}
     programs = recorded.pop("robot")
-    verdicts: defaultdict[str, list[list[str]]] = defaultdict(list)
+    verdicts: defaultdict[str, defaultdict[str, list[str]]]
+    verdicts = defaultdict(lambda: defaultdict(list))
     for page in sorted(BAD_ROBOTS.glob("*.txt")):
         for line in page.read_text(encoding="utf-8").splitlines():
             name, _, codes = line.removeprefix("### ").partition(" | ")
             if line.startswith("### ") and name in recorded and ", " not in codes:
-                verdicts[codes].append(recorded[name])
-    return programs, {
-        code: [sign(set(column)) for column in zip(*rows, strict=True)]
-        for code, rows in verdicts.items()
-    }
+                for program, verdict in zip(programs, recorded[name], strict=True):
+                    verdicts[codes][program].append(verdict)
+    return {code: dict(by_program) for code, by_program in verdicts.items()}
 
 
-def sign(verdicts: set[str]) -> str:
-    """Return the sign of what a program does with the robots that have one fault."""
-    return SIGNS[verdicts.pop()] if len(verdicts) == 1 else "some"
+def names_of(verdicts: Mapping[str, list[str]], wanted: set[str]) -> str:
+    """Return which programs do so with all robots of a fault; with a star, with some of them."""
+    always = [NAMES[each] for each, found in verdicts.items() if wanted.issuperset(found)]
+    at_times = [
+        f"{NAMES[each]}*"
+        for each, found in verdicts.items()
+        if not wanted.issuperset(found) and not wanted.isdisjoint(found)
+    ]
+    others = [NAMES[each] for each in verdicts if NAMES[each] not in always]
+    if verdicts and not others:
+        return "all"
+    if len(others) == 1 and not at_times:
+        return f"all but {others[0]}"
+    return ", ".join(always + at_times)
 
 
 if __name__ == "__main__":
