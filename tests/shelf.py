@@ -159,6 +159,9 @@ def read_mjcf(path: Path) -> Record:
         pose = np.eye(4)
         pose[:3, :3] = rotation
         pose[:3, 3] = body.pos + rotation @ shift - shifts[above]
+        if joint is not None and kind == "revolute":  # the pose is that at the reference, not at 0
+            angle = -float(model.qpos0[joint.qposadr[0]])
+            pose[:3, :3] = pose[:3, :3] @ _about(joint.axis, angle)
         inertial = np.eye(4)
         inertial[:3, :3] = _of_quaternion(body.iquat)
         inertial[:3, 3] = body.ipos - shift
@@ -231,6 +234,11 @@ def _of_rpy(rpy: Any) -> Matrix:
     about_y = np.array([[cp, 0, sp], [0, 1, 0], [-sp, 0, cp]])
     about_z = np.array([[cy, -sy, 0], [sy, cy, 0], [0, 0, 1]])
     return np.array(about_z @ about_y @ about_x)
+
+
+def _about(axis: Any, angle: float) -> Matrix:
+    """Return the rotation by an angle in radians about a unit axis."""
+    return _of_quaternion([np.cos(angle / 2), *(np.sin(angle / 2) * np.asarray(axis))])
 
 
 def _of_quaternion(wxyz: Any) -> Matrix:
@@ -321,9 +329,19 @@ _Loader.add_implicit_resolver(
 )
 
 
-def patched(record: Record, changes: Mapping[str, Mapping[str, Any]]) -> Record:
-    """Return what a vendor says, with the listed values of ours in place of its own."""
+def patched(record: Record, changes: Mapping[str, Mapping[str, Any]], ours: Record) -> Record:
+    """Return what a vendor says, with the listed values of ours in place of its own.
+
+    A link that only ours has is taken over, with its joint, where it is a listed parent.
+    """
     made: Record = json.loads(json.dumps(record))
+    for joint, values in ours["joints"].items():
+        if any(
+            path.endswith("/parent") and sides["here"] == values["child"]
+            for path, sides in changes.items()
+        ):
+            made["joints"].setdefault(joint, values)
+            made["links"].setdefault(values["child"], {})
     renamed = {}
     for path, sides in changes.items():
         kind, name, *key = path.split("/")
