@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 # --- which keys there are ---------------------------------------------------------------------
 
 
-POSE_ROWS = ("xyz", "rpy", "pivot")
+POSE_ROWS = ("xyz", "rpy", "quat", "pivot")
 """The keys of a pose that take numbers."""
 POSE_KEYS = frozenset((*POSE_ROWS, "origin"))
 SIZE_KEYS = frozenset(("scale", "radius", "length", "size"))

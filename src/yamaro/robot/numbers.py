@@ -238,6 +238,7 @@ def layout_of(name: str) -> str:
     return {
         "xyz": f"{xyz.parts}, in metres",
         "rpy": f"{rpy.parts}, in radians",
+        "quat": "w x y z, a quaternion",
         "pivot": f"{xyz.parts}, in metres",
         "axis": ELEMENTS["axis"].fields["xyz"].parts,
         "rgba": f"{rgba.parts}, each from 0 to 1",

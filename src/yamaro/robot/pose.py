@@ -9,7 +9,14 @@ from math import isfinite
 from operator import add
 
 from ..diagnostics import failure
-from ..model.pose import ZERO, multiply, rotate, rotation_from_rpy, rpy_from_rotation
+from ..model.pose import (
+    ZERO,
+    multiply,
+    rotate,
+    rotation_from_quaternion,
+    rotation_from_rpy,
+    rpy_from_rotation,
+)
 from ..source import joined
 from ..xml.tree import Element, Text
 from ..xml.values import Numbers
@@ -93,12 +100,15 @@ def read_pose(lowering: Lowering, fields: Fields) -> Pose:
     if origin is not None:
         return _read_origin(lowering, fields, origin)
     xyz_key, rpy_key, pivot_key = keys.get("xyz"), keys.get("rpy"), keys.get("pivot")
-    key = xyz_key or rpy_key or pivot_key
+    quat_key = keys.get("quat")
+    key = xyz_key or rpy_key or quat_key or pivot_key
     if key is None:
         return NO_POSE
     spans: dict[str, Span] = {}
     xyz = _read_vector(lowering, xyz_key, spans) if xyz_key is not None else None
     rpy = _read_vector(lowering, rpy_key, spans) if rpy_key is not None else None
+    if quat_key is not None:
+        rpy = _turned(_read_vector(lowering, quat_key, spans), rpy, spans, quat_key.trace)
     pivot = _read_vector(lowering, pivot_key, spans) if pivot_key is not None else None
     return _place(xyz, rpy, pivot, key.span, spans)
 
@@ -119,6 +129,8 @@ def pose_of_values(lowering: Lowering, rows: dict[str, tuple[object, Span, Span]
         spans[name] = span
         numbers[name] = _numbers(lowering, value, span, name, None)
     assert first is not None
+    if "quat" in numbers:
+        numbers["rpy"] = _turned(numbers["quat"], numbers.get("rpy"), spans, None)
     return _place(numbers.get("xyz"), numbers.get("rpy"), numbers.get("pivot"), first, spans)
 
 
@@ -152,16 +164,18 @@ def _read_origin(lowering: Lowering, fields: Fields, origin: Element) -> Pose:
                 "unknown-key",
                 f"'{name}' is not an attribute of an origin in a part",
                 record.span(name),
-                hint="write xyz, rpy and pivot, or <origin>: for an XML element",
+                hint="write xyz, rpy, quat and pivot, or <origin>: for an XML element",
                 trace=origin.trace,
             )
         spans[name] = record.span(name)
         rows[name] = _numbers(lowering, value, spans[name], name, origin.trace)
+    if "quat" in rows:
+        rows["rpy"] = _turned(rows["quat"], rows.get("rpy"), spans, origin.trace)
     return _place(rows.get("xyz"), rows.get("rpy"), rows.get("pivot"), origin.span, spans)
 
 
 def _read_vector(lowering: Lowering, key: Element, spans: dict[str, Span]) -> Numbers:
-    """Return the numbers of `xyz`, `rpy` or `pivot`, and note in `spans` where they stand."""
+    """Return the numbers of a key of a pose, and note in `spans` where they stand."""
     value, span = read_value(key)
     if type(value) is str and not value:
         raise empty_value(key)
@@ -172,7 +186,8 @@ def _read_vector(lowering: Lowering, key: Element, spans: dict[str, Span]) -> Nu
 def _numbers(
     lowering: Lowering, value: object, span: Span, name: str, trace: Frame | None
 ) -> Numbers:
-    numbers = read_numbers(lowering, value, span, count=3, name=name, trace=trace)
+    count = 4 if name == "quat" else 3
+    numbers = read_numbers(lowering, value, span, count=count, name=name, trace=trace)
     if type(value) is str:
         return numbers
     words = tuple(
@@ -180,6 +195,37 @@ def _numbers(
         for word, number in zip(numbers.words, numbers.values, strict=True)
     )
     return Numbers(words, numbers.values)
+
+
+def _turned(
+    quat: Numbers, rpy: Numbers | None, spans: dict[str, Span], trace: Frame | None
+) -> Numbers:
+    """Return roll, pitch and yaw of the quaternion w x y z, which is written in place of `rpy`.
+
+    Raises:
+        YamaroError: `rpy` is written as well, or the quaternion is 0.
+    """
+    span = spans.pop("quat")
+    if rpy is not None:
+        raise failure(
+            "given-twice",
+            "the rotation is given twice, by 'rpy' and by 'quat'",
+            span,
+            hint="remove one of them",
+            notes=(f"'rpy' is given at {spans['rpy'].place()}",),
+            trace=trace,
+        )
+    w, x, y, z = quat.values
+    if not any(quat.values):
+        raise failure(
+            "bad-number",
+            "a quaternion of zeros is not a rotation",
+            span,
+            hint="write w x y z, such as 1 0 0 0 for none",
+            trace=trace,
+        )
+    spans["rpy"] = span
+    return _computed_row(rpy_from_rotation(rotation_from_quaternion(x, y, z, w)))
 
 
 def _place(

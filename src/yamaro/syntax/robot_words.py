@@ -36,7 +36,7 @@ LIST_ITEM = "-"
 """The name of an item in a list that holds mappings or lists."""
 
 _BODY_OWNERS = ("attach", "mirror")
-_ATTACH_KEYS = frozenset(("to", "at", "xyz", "rpy", "pivot", "prefix", "joint"))
+_ATTACH_KEYS = frozenset(("to", "at", "xyz", "rpy", "quat", "pivot", "prefix", "joint"))
 
 
 def parse_robot_word(key: ScalarNode, node: YamlNode, context: ParseContext) -> RobotWordNode:

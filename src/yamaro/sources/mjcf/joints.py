@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from ...source import Span
     from ...xml.tree import Element, Node
     from .building import Builder
-    from .tree import Body, Placed
+    from .tree import Body, Placed, Thing
 
 Z_AXIS = (0.0, 0.0, 1.0)
 UNBOUNDED = 1e16
@@ -56,7 +56,9 @@ def add_joints(builder: Builder, body: Body, parent: str) -> None:
         is_last = joint is moving[-1] and ends_in_body
         name = builder.fresh("joint", f"{body.name}_joint") if not joint.name else joint.name
         child = body.name if is_last else builder.fresh("body", f"{name}_link")
-        _add(builder, joint, kind, name, parent, child, origin, is_marked=not is_last)
+        placing = body.thing if joint is moving[0] else joint
+        links = parent, child
+        _add(builder, joint, kind, name, links, origin, placing=placing, is_marked=not is_last)
         if not is_last:
             place = Place(joint.span, {"name": joint.name_span})
             builder.links.append(making.link(place, child))
@@ -109,13 +111,24 @@ def _add(
     thing: Placed,
     kind: str,
     name: str,
-    parent: str,
-    child: str,
+    links: tuple[str, str],
     origin: Pose,
     *,
+    placing: Thing,
     is_marked: bool,
 ) -> None:
-    """Add one joint; `is_marked` where it is one of several, or beside the body's origin."""
+    """Add one joint.
+
+    Args:
+        builder: the robot.
+        thing: the joint.
+        kind: its type.
+        name: its name.
+        links: the links that it is between, the parent first.
+        origin: where it is in the parent.
+        placing: what says where it is: the body, or the joint itself.
+        is_marked: whether it is one of several, or beside the body's origin.
+    """
     given, compiler = thing.given, thing.context.compiler
     angle = compiler.angle if kind == "hinge" else float
     axis = unit_axis(given, Z_AXIS)
@@ -161,7 +174,7 @@ def _add(
         elif key not in HELD and key not in _ELSEWHERE:
             extras.append(setting(key, value, span))
     place = Place(thing.span, {"name": thing.name_span})
-    inner: list[Node] = [*builder.origin(thing, origin), element("axis", place, {"xyz": axis})]
+    inner: list[Node] = [*builder.origin(placing, origin), element("axis", place, {"xyz": axis})]
     inner += dynamics
     effort = None
     if limit is not None:
@@ -174,9 +187,9 @@ def _add(
     if extras:
         inner.append(block(thing.span, extras))
     word = PRISMATIC if kind == "slide" else REVOLUTE if is_limited else CONTINUOUS
-    builder.joints.append(making.joint(place, name, word, parent, child, inner))
+    builder.joints.append(making.joint(place, name, word, *links, inner))
     builder.joint_names[id(thing)] = name
-    builder.above[child] = name
+    builder.above[links[1]] = name
     if is_limited:
         builder.limits[name] = (lower, upper)
 

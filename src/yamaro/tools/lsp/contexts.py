@@ -287,6 +287,7 @@ def _listed(thing: Thing) -> str:
 _POSE = {
     "xyz": f"{_about('origin', 'xyz')}; units such as `350mm` are allowed",
     "rpy": f"{_about('origin', 'rpy')}; units such as `90deg` are allowed",
+    "quat": "the rotation as a quaternion w x y z, in place of `rpy`",
     "pivot": "the point, in the rotated axes, that is placed at `xyz`",
 }
 _ROWS = {name: _POSE[name] for name in ("xyz", "rpy")}

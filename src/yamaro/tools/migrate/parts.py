@@ -16,6 +16,7 @@ from ...xml.values import format_value
 from .document import RECORD_WIDTH, Body, Entry, joined, spaced, without_expressions, words_of
 from .elements import ElementWriter, add_loose, comments_at_ends, has_text, name_of, note_comments
 from .formulas import Degrees, is_inertia_of
+from .spelling import QUATERNION
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -78,12 +79,14 @@ class Geometry:
 def pose_of(origin: Element | None, *, exact: bool) -> dict[str, str] | None:
     """Return `xyz` and `rpy` of an origin, zeros where it says nothing; None if that is not all.
 
+    The quaternion is there as well if the source has the rotation as one.
+
     With `exact`, an origin that says nothing of one of them is not the same as zeros.
     """
     attributes = {} if origin is None else values_of(origin)
-    if (origin is not None and origin.children) or attributes.keys() - set(POSE):
+    if (origin is not None and origin.children) or attributes.keys() - {*POSE, QUATERNION}:
         return None
-    if exact and len(attributes) < len(POSE):
+    if exact and not set(POSE) <= attributes.keys():
         return None
     return dict.fromkeys(POSE, ZEROS) | attributes
 
@@ -156,8 +159,9 @@ class LinkPlan:
         first, *others = (pose_of(origin, exact=self._exact) for origin in origins)
         if first is None or not all(pose and _is_same(pose, first) for pose in others):
             return
-        if not all(same_words(row, ZEROS) for row in first.values()):
-            self.pose = CommonPose(origins[0])
+        if not all(same_words(first[key], ZEROS) for key in POSE):
+            said = (o for o in origins if o is not None and QUATERNION in o.attributes)
+            self.pose = CommonPose(next(said, origins[0]))
 
     def _choose_geometry(self) -> None:
         counts: dict[tuple[str, str | None], int] = {}
@@ -713,22 +717,26 @@ class PartWriter:
         """Add the entries that give the origin of what has it, or say that there is none."""
         pose = pose_of(origin, exact=self._exact)
         if pose is not None:
+            quat = pose.pop(QUATERNION, "")
             for name, row in pose.items():
                 words = numbers_of(row, 3)
                 if name == "rpy" and not self._exact:
                     words = self._degrees.row(words)
-                if not same_words(words, ZEROS):
+                if name == "rpy" and quat and len(quat) < len(words):
+                    body.add(QUATERNION, quat)
+                elif not same_words(words, ZEROS):
                     body.add(name, words)
         elif origin is None:
             body.add("origin", "none")
         else:
+            origin.attributes.pop(QUATERNION, None)
             body.entries.append(self._elements.entry(origin, bracketed=True))
 
 
 _KEYS_OF = {
     "child": ("parent",),
     "geometry": ("scale", "geometry"),
-    "origin": ("xyz", "rpy", "origin"),
+    "origin": ("xyz", "rpy", "quat", "origin"),
 }
 """The keys that an element becomes, where these are not its name."""
 

@@ -17,9 +17,9 @@ if TYPE_CHECKING:
     Atom = tuple[str, ...]
 
 PLACES = {
-    "joint": frozenset(("parent", "xyz", "rpy", "type/parent")),
-    "visual": frozenset(("xyz", "rpy")),
-    "collision": frozenset(("xyz", "rpy")),
+    "joint": frozenset(("parent", "xyz", "rpy", "quat", "type/parent")),
+    "visual": frozenset(("xyz", "rpy", "quat")),
+    "collision": frozenset(("xyz", "rpy", "quat")),
 }
 """What may call a function, with the entries that are never in one: the place of each."""
 BLOCKS = ("mjcf", "sdf")

@@ -7,7 +7,8 @@ from math import isclose, radians
 
 from ...model.compare import NEGLIGIBLE, POSE
 from ...model.joint import UNLIMITED
-from ...model.values import values_of
+from ...model.pose import rotation_from_quaternion, rotation_from_rpy
+from ...model.values import numbers_of, values_of
 from ...xml.tree import Comment, Element, Text
 from ...xml.values import Numbers, format_value
 from .document import literal
@@ -23,6 +24,8 @@ if TYPE_CHECKING:
 
 TOLERANCE = 1e-12
 """How far a number of the source may be from that of the robot to lend it its spelling."""
+QUATERNION = "quat"
+"""The key of a rotation that the source has as a quaternion."""
 ANGLES = frozenset(("lower", "upper"))
 """Values that a source may have in degrees."""
 NO_LIMIT = "unlimited"
@@ -58,7 +61,29 @@ def in_language(element: Element) -> Element:
                 copy.attributes[name] = f"{'-' * text.startswith('-')}$({NO_LIMIT})"
                 continue
         copy.attributes[name] = literal(text)
+    if element.name == "origin" and (quat := _quaternion(element)):
+        copy.attributes[QUATERNION] = quat
     return copy
+
+
+def _quaternion(origin: Element) -> str:
+    """Return the quaternion w x y z that the source has where an origin says `rpy`; "" for none."""
+    words = _source_words(origin.value_span("rpy")) if "rpy" in origin.attributes else []
+    try:
+        numbers = [*map(float, words)]
+    except ValueError:
+        return ""
+    if len(numbers) != 4 or not any(numbers):
+        return ""
+    w, x, y, z = numbers
+    roll, pitch, yaw = numbers_of(origin, "rpy")
+    rows = rotation_from_rpy(roll, pitch, yaw), rotation_from_quaternion(x, y, z, w)
+    same = all(
+        isclose(a, b, abs_tol=TOLERANCE)
+        for row, other in zip(*rows, strict=True)
+        for a, b in zip(row, other, strict=True)
+    )
+    return " ".join(word.removeprefix("+") for word in words) if same else ""
 
 
 def _is_rounding(number: str) -> bool:
