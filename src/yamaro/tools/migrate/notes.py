@@ -51,11 +51,12 @@ def frames_of_sites(root: Element, notes: Iterable[Element]) -> dict[tuple[str, 
         for each in note.elements()
         if each.name == "name" and is_setting(each)
     }
+    bodies = {name_of(each) for each in root.elements() if each.name == "link" and each.elements()}
     found = {}
     for joint in root.elements():
         parent = child_of_frame(joint) if joint.name == "joint" else None
         frame = child_of(joint)
-        if parent is not None and frame is not None:
+        if parent is not None and frame is not None and frame not in bodies:
             found[parent, names.get(frame, frame)] = frame
     return found
 
