@@ -59,6 +59,6 @@ def test_a_quaternion_turns_as_its_product_does(seed: int) -> None:
     turned = robot.joints["b_joint"].origin.apply((1.0, 2.0, 3.0))
     # v' = v + 2·u × (u × v + w·v), of a unit quaternion (w, u)
     axis, size = np.array([x, y, z]), np.linalg.norm(quat)
-    axis, w = axis / size, w / size
+    axis, w = axis / size, float(w / size)
     v = np.array([1.0, 2.0, 3.0])
     assert turned == pytest.approx(v + 2 * np.cross(axis, np.cross(axis, v) + w * v), abs=1e-11)
