@@ -38,7 +38,6 @@ EXAMPLES = (
     "arm/arm", "diff_drive/diff_drive", "drone/drone", "dual_arm_cell/dual_arm_cell", "hand/hand",
     "hexapod/hexapod", "humanoid/humanoid", "leg_robot/robot",
     "mobile_manipulator/mobile_manipulator", "pan_tilt/pan_tilt", "quadruped/quadruped",
-    "ur5e/ur5e",
 )  # fmt: skip
 PROFILES = ("2.0.0", "2.1.0", "2.2.0", "2.3.0", "3.0.0")
 INSIDE = ("2.1.0", "2.2.0")

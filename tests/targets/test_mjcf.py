@@ -28,7 +28,7 @@ ROOT = Path(__file__).parents[2]
 EXAMPLES = ("pan_tilt/pan_tilt", "leg_robot/robot", "hexapod/hexapod", "quadruped/quadruped",
             "arm/arm", "diff_drive/diff_drive", "drone/drone", "hand/hand",
             "humanoid/humanoid", "dual_arm_cell/dual_arm_cell",
-            "mobile_manipulator/mobile_manipulator", "ur5e/ur5e")  # fmt: skip
+            "mobile_manipulator/mobile_manipulator")  # fmt: skip
 
 
 def mjcf_of(path: Path, **options: Any) -> yamaro.Build:

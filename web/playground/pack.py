@@ -27,7 +27,7 @@ EXAMPLES = (
     ("pan_tilt", "Start here: a camera on two servos", "pan_tilt.yaml"),
     ("quadruped", "A robot dog, 12 joints", "quadruped.yaml"),
     ("arm", "A six-axis arm with a gripper", "arm.yaml"),
-    ("ur5e", "A real arm, from its published numbers", "ur5e.yaml"),
+    ("ur5e", "A real arm, the UR5e", "ur5e.yaml"),
     ("diff_drive", "Two wheels, lidar and camera", "diff_drive.yaml"),
     ("drone", "A quadcopter with its sensors", "drone.yaml"),
     ("dual_arm_cell", "Two arms on a table", "dual_arm_cell.yaml"),
@@ -96,11 +96,11 @@ def modules() -> Iterator[tuple[str, Path]]:
 
 
 def read_example(name: str, title: str, main: str) -> dict[str, object]:
-    """Return an example as the page opens it: its files, the main one first.
+    """Return an example or a robot as the page opens it: its files, the main one first.
 
     If the main file includes files of other examples, the names of all begin with their folders.
     """
-    folder = ROOT / "examples" / name
+    folder = folder_of(name)
     texts = {path.name: path.read_text(encoding="utf-8") for path in _files_of(folder)}
     files = {main: texts.pop(main), **texts}
     others = sorted(set(NEIGHBOUR.findall(files[main])))
@@ -111,6 +111,12 @@ def read_example(name: str, title: str, main: str) -> dict[str, object]:
         for path in _files_of(folder.parent / other):
             files[f"{other}/{path.name}"] = path.read_text(encoding="utf-8")
     return {"name": name, "title": title, "main": main, "files": files}
+
+
+def folder_of(name: str) -> Path:
+    """Return the folder of an example, or else of a known robot."""
+    folder = ROOT / "examples" / name
+    return folder if folder.exists() else ROOT / "robots" / name / "urdf"
 
 
 def _files_of(folder: Path) -> list[Path]:

@@ -27,7 +27,6 @@ EXAMPLES = [
         "mobile_manipulator/mobile_manipulator.yaml",
         "pan_tilt/pan_tilt.yaml",
         "quadruped/quadruped.yaml",
-        "ur5e/ur5e.yaml",
     )
 ]
 ARM = """

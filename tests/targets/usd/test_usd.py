@@ -22,7 +22,6 @@ EXAMPLES = [
         "dual_arm_cell/dual_arm_cell.yaml", "hexapod/hexapod.yaml", "humanoid/humanoid.yaml",
         "mobile_manipulator/mobile_manipulator.yaml",
         "leg_robot/robot.yaml", "pan_tilt/pan_tilt.yaml", "quadruped/quadruped.yaml",
-        "ur5e/ur5e.yaml",
     )
 ]  # fmt: skip
 ARM = """
