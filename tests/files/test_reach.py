@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 
 from yamaro.files.loader import FileLoader, LoadError
-from yamaro.files.readable import Reach
+from yamaro.files.packages import PackageFinder
+from yamaro.files.readable import Reach, roots_of
 
 
 @pytest.fixture
@@ -56,3 +57,18 @@ def test_what_a_link_leads_to_counts(robot: Path) -> None:
     reach = Reach([os.fspath(robot.parent / "in")])
     assert reach.allows(os.fspath(robot / "a.yaml"))
     assert not reach.allows(os.fspath(robot / "out" / "a.yaml"))
+
+
+def test_a_file_of_a_python_package_may_read_that_package_alone(tmp_path: Path) -> None:
+    folder = tmp_path / "lib" / "site-packages"
+    for name in ("suite/models", "suite/assets", "other", "suites"):
+        (folder / name).mkdir(parents=True)
+    reach = Reach(roots_of(os.fspath(folder / "suite/models/arm.xml"), (), PackageFinder({})))
+    for name, is_allowed in {
+        "suite/assets/a.xml": True,
+        "suite/models/a.xml": True,
+        "other/a.xml": False,
+        "suites/a.xml": False,
+        "../a.xml": False,
+    }.items():
+        assert reach.allows(os.fspath(folder / name)) is is_allowed, name

@@ -17,6 +17,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
+PACKAGE_FOLDERS = ("site-packages", "dist-packages")
+"""What the folders are called in which pip puts Python packages."""
 GROUP = "yamaro.packages"
 CACHE_VARIABLE = "ROBOT_DESCRIPTIONS_CACHE"
 CACHE = os.path.join("~", ".cache", "robot_descriptions")
@@ -114,8 +116,7 @@ class InstalledPackages:
     def looked_at(self) -> list[str]:
         """Return the places that are looked at, each as a phrase to show to a person."""
         folders = [path for path in dict.fromkeys(self._paths) if os.path.isdir(path)]
-        named = ("site-packages", "dist-packages")
-        shown = [path for path in folders if os.path.basename(path) in named] or folders[:1]
+        shown = [p for p in folders if os.path.basename(p) in PACKAGE_FOLDERS] or folders[:1]
         places = [f"{path} (entry points '{GROUP}')" for path in shown]
         if os.path.isdir(self._cache):
             places.append(f"{self._cache} (robot_descriptions)")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 
-from .installed import InstalledPackages
+from .installed import PACKAGE_FOLDERS, InstalledPackages
 from .loader import LoadError
 from .packages import PackageFinder, surroundings
 
@@ -108,7 +108,8 @@ def roots_of(path: str, allowed: Sequence[str], packages: PackageFinder) -> list
     """Return the folders that a main file may read.
 
     These are its own folder; where the environment says that packages are; the packages it lies in,
-    and those beside them; its repository and the `src` folder of its workspace. A folder that holds
+    and those beside them; the Python package that brings it; its repository and the `src` folder of
+    its workspace. A folder that holds
     the user's home is never one of them, whatever is in it: many keep settings in a repository.
 
     Args:
@@ -122,7 +123,18 @@ def roots_of(path: str, allowed: Sequence[str], packages: PackageFinder) -> list
         roots.append(folder)
         found += packages.around(folder)
         found += [root for root, depth in surroundings(folder) if depth > 1]
+        found += _wheels_around(folder)
     return roots + [root for root in found if not _holds_home(root)]
+
+
+def _wheels_around(folder: str) -> list[str]:
+    """Return the folder of the installed Python package that a folder lies in, if any."""
+    found, inner = [], folder
+    while (outer := os.path.dirname(inner)) != inner:
+        if os.path.basename(outer) in PACKAGE_FOLDERS:
+            found.append(inner)
+        inner = outer
+    return found[:1]
 
 
 def _holds_home(folder: str) -> bool:

@@ -244,7 +244,8 @@ def lost_blocks(robot: Robot, format: str) -> Losses:
             is_section = each.name in _SECTIONS and raw.format == "mjcf"
             inner = each.elements() if is_section else [each]
             for element in inner or ([each] if each.attributes else []):
-                if element.body == SAID or _says_nothing(element, each.name):
+                is_place = element.name == "pos" and raw.joint is not None
+                if element.body == SAID or is_place or _says_nothing(element, each.name):
                     continue
                 trace = element.trace_within(each.trace_within(raw.trace))
                 name = attribute_text(element, "name")
@@ -266,7 +267,7 @@ _OF_TYPES = frozenset(
 )
 """What a joint of SDF has because of a type that URDF has not."""
 _STRUCTURE = frozenset(("ref",))
-"""What the poses of joints say as well."""
+"""What the poses of joints say as well; in a joint, `pos` does so too."""
 
 
 def _says_nothing(element: Element, section: str) -> bool:

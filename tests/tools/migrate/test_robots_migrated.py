@@ -453,6 +453,41 @@ def test_a_site_of_the_name_of_its_body_stays_apart_from_it(tmp_path: Path) -> N
     assert made == yamaro.build(str(path), target="mjcf").xml()
 
 
+def test_a_site_of_the_world_with_the_name_of_a_body_keeps_its_settings(tmp_path: Path) -> None:
+    path = tmp_path / "one.xml"
+    path.write_text(
+        '<mujoco><worldbody><site name="arm" size="0.3"/><geom size="0.1"/>'
+        '<body name="arm"><joint type="ball"/><geom size="0.1"/></body></worldbody></mujoco>'
+    )
+    migration = migration_of(path)
+    assert migration.differences == []
+    assert "mjcf: {name: arm, size: 0.3}" in migration.text
+
+
+def test_quaternions_stay_where_angles_would_be_long(tmp_path: Path) -> None:
+    path = tmp_path / "one.xml"
+    (tmp_path / "a.obj").write_text(
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"
+    )
+    path.write_text(
+        '<mujoco><asset><mesh name="a" file="a.obj" scale="0.001 0.001 0.001"/></asset>'
+        '<worldbody><body name="arm"><geom type="mesh" mesh="a" mass="1"/>'
+        '<site name="odd" quat="0.9 0.1 -0.2 0.3"/><site name="turned" quat="0 0 1 0"/>'
+        '<body name="hand" pos="0 0 1" quat="0.7 0.7 0.1 0"><joint name="j"/><geom size="0.1"/>'
+        '<site name="plain" euler="0 90 0"/></body></body></worldbody></mujoco>'
+    )
+    migration = migration_of(path)
+    assert migration.differences == []
+    for line in (
+        "frame/name=odd: {quat: 0.9 0.1 -0.2 0.3}",
+        "frame/name=turned: {rpy: 0 180deg 0}",
+        "frame/name=plain: {rpy: 0 90deg 0}",
+        "quat: 0.7 0.7 0.1 0",
+        "scale: 1mm",
+    ):
+        assert line in migration.text
+
+
 HAND = """<mujoco model="hand">
   <compiler angle="radian"/>
   <default>

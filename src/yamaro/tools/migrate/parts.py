@@ -35,6 +35,14 @@ class NoPart(Exception):
     """A joint or link has something that no part gives."""
 
 
+LONGEST_ANGLE = 10
+"""How long an angle may be that is written where the source has a quaternion."""
+UNITS_OF_MESHES = {
+    " ".join([factor] * 3): f"1{unit}" for factor, unit in (("0.001", "mm"), ("0.01", "cm"))
+}
+"""What a scale says of the unit of a mesh, in the spelling that the unit has in URDF."""
+
+
 class Geometry:
     """A shape in its short form.
 
@@ -68,7 +76,8 @@ class Geometry:
             rows = [self.scale or ""] if len(names) < len(words) else words
             entries += [Entry(name, row) for name, row in zip(names, rows, strict=True)]
         elif self.scale is not None:
-            entries.append(Entry("scale", self.scale))
+            unit = UNITS_OF_MESHES.get(self.scale) if self.kind == "mesh" else None
+            entries.append(Entry("scale", unit or self.scale))
         return entries
 
     def sizes(self) -> list[str]:
@@ -722,7 +731,8 @@ class PartWriter:
                 words = numbers_of(row, 3)
                 if name == "rpy" and not self._exact:
                     words = self._degrees.row(words)
-                if name == "rpy" and quat and len(quat) < len(words):
+                is_long = max(map(len, words.split())) > LONGEST_ANGLE
+                if name == "rpy" and quat and is_long and len(quat) < len(words):
                     body.add(QUATERNION, quat)
                 elif not same_words(words, ZEROS):
                     body.add(name, words)

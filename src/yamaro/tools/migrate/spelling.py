@@ -7,7 +7,7 @@ from math import isclose, radians
 
 from ...model.compare import NEGLIGIBLE, POSE
 from ...model.joint import UNLIMITED
-from ...model.pose import rotation_from_quaternion, rotation_from_rpy
+from ...model.pose import rotation_from_quaternion, rpy_from_rotation
 from ...model.values import numbers_of, values_of
 from ...xml.tree import Comment, Element, Text
 from ...xml.values import Numbers, format_value
@@ -76,13 +76,9 @@ def _quaternion(origin: Element) -> str:
     if len(numbers) != 4 or not any(numbers):
         return ""
     w, x, y, z = numbers
-    roll, pitch, yaw = numbers_of(origin, "rpy")
-    rows = rotation_from_rpy(roll, pitch, yaw), rotation_from_quaternion(x, y, z, w)
-    same = all(
-        isclose(a, b, abs_tol=TOLERANCE)
-        for row, other in zip(*rows, strict=True)
-        for a, b in zip(row, other, strict=True)
-    )
+    angles = rpy_from_rotation(rotation_from_quaternion(x, y, z, w))
+    pairs = zip(angles, numbers_of(origin, "rpy"), strict=True)
+    same = all(isclose(a, b, rel_tol=TOLERANCE, abs_tol=TOLERANCE) for a, b in pairs)
     return " ".join(word.removeprefix("+") for word in words) if same else ""
 
 
