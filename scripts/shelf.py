@@ -24,6 +24,7 @@ sys.path[:0] = [str(ROOT / "src"), str(ROOT)]
 from tests import shelf  # noqa: E402
 from yamaro import build  # noqa: E402
 from yamaro.commands.main import main as yamaro  # noqa: E402
+from yamaro.tools.new.package import files_around  # noqa: E402
 
 CLONES = ROOT / "build" / "shelf"
 COMMAND = re.compile(r"^yamaro picture urdf/(.*)$", re.MULTILINE)
@@ -299,73 +300,20 @@ def row(name: str) -> str:
     return f"| [{name}]({name}/)<br>{picture} | {source} | {lines} | {reasons} |\n"
 
 
-PYPROJECT = """\
-[build-system]
-requires = ["setuptools>=68"]
-build-backend = "setuptools.build_meta"
-
-[project]
-name = "{distribution}"
-version = "0.1.0"
-description = "{title}, for URDF, MuJoCo, Gazebo and other simulators"
-readme = "README.md"
-requires-python = ">=3.10"
-dependencies = ["yamaro"]
-
-# This folder is the package: package://{package}/urdf/{name}.yaml leads to urdf/{name}.yaml.
-[project.entry-points."yamaro.packages"]
-{package} = "{package}"
-
-[tool.setuptools]
-packages = ["{package}"]
-package-dir = {{"{package}" = "."}}
-
-[tool.setuptools.package-data]
-{package} = ["urdf/**"]
-"""
-MANIFEST = """\
-<?xml version="1.0"?>
-<?xml-model href="http://download.ros.org/schema/package_format3.xsd" schematypens="http://www.w3.org/2001/XMLSchema"?>
-<package format="3">
-  <name>{package}</name>
-  <version>0.1.0</version>
-  <description>{title}</description>
-  <maintainer email="robots@example.com">The maintainers of Yamaro</maintainer>
-  <license>GPL-3.0-or-later</license>
-
-  <buildtool_depend>ament_cmake</buildtool_depend>
-  <!-- ros2 launch yamaro_ros display.launch.py model:=… -->
-  <exec_depend>yamaro_ros</exec_depend>
-
-  <export>
-    <build_type>ament_cmake</build_type>
-  </export>
-</package>
-"""
-CMAKE = """\
-cmake_minimum_required(VERSION 3.20)
-project({package} NONE)
-find_package(ament_cmake REQUIRED)
-find_package(yamaro REQUIRED)
-
-install(DIRECTORY urdf DESTINATION share/${{PROJECT_NAME}})
-yamaro_add_robot(urdf/{name}.yaml INSTALL_DESTINATION share/${{PROJECT_NAME}}/urdf CHECK)
-
-ament_package()
-"""
-
-
 def package(name: str) -> dict[str, str]:
-    """Return the files that make a robot's folder a package for pip and for colcon."""
+    """Return the files that make a robot's folder a package, as `yamaro new` has them."""
     readme = (shelf.ROBOTS / name / "README.md").read_text(encoding="utf-8")
-    values = {
-        "name": name,
-        "package": f"yamaro_{name}",
-        "distribution": f"yamaro-{name.replace('_', '-')}",
-        "title": readme.splitlines()[0].removeprefix("# "),
-    }
-    files = {"pyproject.toml": PYPROJECT, "package.xml": MANIFEST, "CMakeLists.txt": CMAKE}
-    return {path: text.format(**values) for path, text in files.items()}
+    values = {"TITLE": readme.splitlines()[0].removeprefix("# "), "LICENSE": "GPL-3.0-or-later"}
+    text = "".join(p.read_text("utf-8") for p in (shelf.ROBOTS / name / "urdf").glob("*.yaml"))
+    others = sorted(set(re.findall(r"package://(yamaro_\w+)/", text)))
+    files = files_around(
+        f"yamaro_{name}",
+        name,
+        values,
+        requirements=["yamaro", *(other.replace("_", "-") for other in others)],
+        packages=others,
+    )
+    return {path: files[path] for path in ("pyproject.toml", "package.xml", "CMakeLists.txt")}
 
 
 def write_package(options: argparse.Namespace) -> None:

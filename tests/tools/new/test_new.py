@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -231,3 +232,119 @@ def test_a_folder_that_appears_meanwhile_is_not_replaced(
 def test_a_new_robot_takes_no_variables(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["new", "rover", "a:=1"]) == 2
     assert "has no argument to set" in capsys.readouterr().err
+
+
+# --- of a robot that exists -------------------------------------------------------------------
+
+LAMP = """\
+robot: lamp
+model:
+- include: shade.yaml
+- part: {name: foot, link: {visual: {geometry: ../meshes/foot.stl}}}
+- Shade: foot
+"""
+SHADE = """\
+functions:
+- Shade(parent)/parent:
+  - part:
+      name: shade
+      joint: {type: continuous, parent: $(parent), xyz: 0 0 30cm, axis: z}
+      link: {geometry: sphere, radius: 10cm, mass: 300 g, visual: }
+"""
+STL = b"""\
+solid foot
+facet normal 0 0 1
+outer loop
+vertex 0 0 0
+vertex 1 0 0
+vertex 0 1 0
+endloop
+endfacet
+endsolid
+"""
+
+
+@pytest.fixture
+def lamp(here: Path) -> Path:
+    files = {"yaml/lamp.yaml": LAMP.encode(), "yaml/shade.yaml": SHADE.encode()}
+    for path, data in {**files, "meshes/foot.stl": STL}.items():
+        (here / path).parent.mkdir(exist_ok=True)
+        (here / path).write_bytes(data)
+    return here / "yaml" / "lamp.yaml"
+
+
+@pytest.mark.usefixtures("lamp")
+def test_a_package_is_made_of_a_robot(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["new", "lamp_description", "yaml/lamp.yaml"]) == 0, capsys.readouterr().err
+    folder = here / "lamp_description"
+    assert made(folder) - {"picture.png"} == {
+        ".github/workflows/robot.yml",
+        ".gitignore",
+        ".pre-commit-config.yaml",
+        "CMakeLists.txt",
+        "README.md",
+        "meshes/foot.stl",
+        "package.xml",
+        "pyproject.toml",
+        "test/lamp.test.yaml",
+        "urdf/lamp.yaml",
+        "urdf/shade.yaml",
+    }
+    texts = [
+        (folder / path).read_text() for path in made(folder) if path[-4:] not in (".png", ".stl")
+    ]
+    assert not [text for text in texts if re.search("@[A-Z]+@", text)]
+    assert ElementTree.parse(folder / "package.xml").findtext("name") == "lamp_description"
+    assert "yamaro_add_robot(urdf/lamp.yaml" in (folder / "CMakeLists.txt").read_text()
+    capsys.readouterr()
+    assert main(["test", "lamp_description"]) == 0
+    assert capsys.readouterr().out == "lamp_description/test/lamp.test.yaml: 1 passed\n"
+
+
+@pytest.mark.parametrize(
+    ("file", "said"),
+    [
+        ("lamp.urdf", "takes a robot in YAML, not 'lamp.urdf'; 'yamaro migrate' makes one"),
+        ("missing.yaml", "cannot read 'missing.yaml'"),
+        ("yaml/lamp & co.yaml", "its name has more than letters, digits, '_', '.' and '-'"),
+    ],
+)
+def test_what_is_not_a_robot_in_yaml_is_refused(
+    file: str, said: str, here: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["new", "lamp_description", file]) == 2
+    assert said in capsys.readouterr().err
+    assert not (here / "lamp_description").exists()
+
+
+def test_a_robot_with_an_error_gives_no_package(
+    lamp: Path, here: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    lamp.write_text(LAMP.replace("- Shade: foot", "- Shade: $(fot)"))
+    assert main(["new", "lamp_description", str(lamp)]) == 1
+    assert "error[undefined-name]" in capsys.readouterr().err
+    assert not (here / "lamp_description").exists()
+
+
+def test_packages_that_it_is_read_from_are_dependencies(
+    lamp: Path, here: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("ROS_PACKAGE_PATH", str(here))
+    (here / "shades" / "yaml").mkdir(parents=True)
+    (here / "shades" / "package.xml").write_text("<package><name>shades</name></package>")
+    (here / "shades" / "yaml" / "shade.yaml").write_text(SHADE)
+    lamp.write_text(LAMP.replace("shade.yaml", "package://shades/yaml/shade.yaml"))
+    assert main(["new", "lamp_description", str(lamp)]) == 0, capsys.readouterr().err
+    manifest = ElementTree.parse(here / "lamp_description" / "package.xml")
+    assert [each.text for each in manifest.iterfind("exec_depend")] == ["yamaro_ros", "shades"]
+    assert not list((here / "lamp_description").rglob("shade.yaml"))
+
+
+def test_a_file_elsewhere_is_not_forgotten(
+    lamp: Path, here: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (here.parent / "elsewhere.yaml").write_text(SHADE)
+    lamp.write_text(LAMP.replace("shade.yaml", "../../elsewhere.yaml"))
+    assert main(["new", "lamp_description", str(lamp)]) == 1
+    assert "elsewhere.yaml', which its package would not have" in capsys.readouterr().err
+    assert not (here / "lamp_description").exists()
