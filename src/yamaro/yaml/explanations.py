@@ -44,6 +44,10 @@ def needs_quotes(given: GivenText, at: int) -> Exception:
     """Return the error for a key or value at `at` whose first character YAML reserves."""
     text = given.text
     char = text[at : at + 1]
+    if char == "," and text[:at].endswith(('"', "'")):
+        behind_quote = _rest(given, "", "", at, at)
+        if behind_quote is not None:
+            return behind_quote
     start, end = line_around(text, at)
     comment = text.find(" #", at, end)
     value = text[at : comment if comment >= 0 else end].rstrip()
