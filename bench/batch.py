@@ -1,12 +1,13 @@
 """Writes variants of the quadruped as a batch, compares it with each compiled alone, and loads it.
 
-    [WARP=PYTHON] [MJX=PYTHON] python bench/batch.py [--samples 4096] [--checked 64]
+    [WARP=PYTHON] [MJX=PYTHON] [NEWTON=PYTHON] python bench/batch.py [--samples 4096]
 
 The time is that of `yamaro sweep --batch` with two processes, from its start to its end. Of some
-variants, MuJoCo compiles the MJCF alone, and the greatest difference of any field is shown. WARP
-and MJX are Pythons with `mujoco_warp` and `mujoco-mjx`: the loaders of docs/sweeps.md are run there
-on the processor, and positions after some steps from `home` are compared with those of MuJoCo,
-which computes in doubles where they have floats.
+variants, MuJoCo compiles the MJCF alone, and the greatest difference of any field is shown. WARP,
+MJX and NEWTON are Pythons with `mujoco_warp`, `mujoco-mjx` and `newton[sim]`: the loaders of
+docs/sweeps.md are run there on the processor with a few of the variants, and positions after some
+steps from `home` are compared with those of MuJoCo, which computes in doubles where they have
+floats.
 """
 
 from __future__ import annotations
@@ -38,6 +39,15 @@ for _ in range({steps}):
     mjw.step(model, data)
 np.save("found.npy", data.qpos.numpy())
 """,
+    "Newton": """
+import mujoco_warp as mjw
+model, data = solver.mjw_model, solver.mjw_data
+data.qpos.assign(batch["key_qpos"][:, 0])
+data.ctrl.assign(batch["key_ctrl"][:, 0])
+for _ in range({steps}):
+    mjw.step(model, data)
+np.save("found.npy", data.qpos.numpy())
+""",
     "MJX": """
 home, ctrl = (jax.numpy.array(batch[name][:, 0]) for name in ("key_qpos", "key_ctrl"))
 data = data.replace(qpos=home, ctrl=ctrl)
@@ -47,7 +57,9 @@ np.save("found.npy", np.asarray(data.qpos))
 """,
 }
 """What follows the loaders of the docs, by their headings."""
-PYTHONS = {"MuJoCo Warp": "WARP", "MJX": "MJX"}
+PYTHONS = {"MuJoCo Warp": "WARP", "MJX": "MJX", "Newton": "NEWTON"}
+LOADED = 64
+"""Variants that are loaded: Newton makes a model of each in Python."""
 
 
 def model_of(path: Path, batch: Any, row: int) -> Any:
@@ -125,6 +137,9 @@ def main() -> None:
         rows = range(0, given.samples, max(1, given.samples // given.checked))
         worst = max(difference(path, batch, row) for row in rows)
         print(f"{len(rows)} of them compiled alone: {worst:.1e}")
+        few = {name: batch[name][:: max(1, given.samples // LOADED)] for name in batch.files}
+        np.savez(path, **few)
+        batch = np.load(path)
         for name, variable in PYTHONS.items():
             if variable in os.environ:
                 found = loaded(name, os.environ[variable], path, batch)

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from .result import Build as Build
     from .tools.sweep.api import Sweep as Sweep
     from .tools.sweep.api import sweep as sweep
+    from .tools.sweep.api import sweep_batch as sweep_batch
     from .yaml.nodes import FlexiDict as FlexiDict
 
 __version__ = "1.0.0rc1"
@@ -41,6 +42,7 @@ __all__ = [
     "convert",
     "load",
     "sweep",
+    "sweep_batch",
 ]
 
 # Where each name comes from when it is first asked for: the command imports this package too, and
@@ -64,6 +66,7 @@ _MODULES = {
     "convert": "api",
     "load": "api",
     "sweep": "tools.sweep.api",
+    "sweep_batch": "tools.sweep.api",
 }
 
 

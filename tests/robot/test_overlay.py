@@ -299,3 +299,13 @@ def test_places_of_changed_values_are_both_there_out_of_a_jail(tmp_path: Path) -
         places.append((span.place(), span.replaced.place(), span.note))
     assert places[0] == places[1]
     assert places[0][:2] == (f"{unit}:6:22", f"{path}:6:30")
+
+
+def test_a_name_that_lacks_the_ending_of_its_kind_gets_that_suggestion(tmp_path: Path) -> None:
+    path = tmp_path / "arm.urdf"
+    path.write_text(ARM.replace('"wrist"', '"wrist_joint"').replace('"tip"', '"tip_link"'))
+    overlay = {"joints": {"wrist": {"axis": "y"}}, "links": {"tip": {"mass": 1}}}
+    with pytest.raises(YamaroError) as caught:
+        Robot.from_urdf(path, overlay=overlay)
+    hints = [each.hint for each in caught.value.diagnostics]
+    assert hints == ["did you mean 'wrist_joint'?", "did you mean 'tip_link'?"]

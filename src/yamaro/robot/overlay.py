@@ -164,9 +164,12 @@ class Overlaid:
         for name in (key.name, parts.get(self.prefix + key.name, "").removeprefix(self.prefix)):
             if name in places:
                 return places[name]
-        from ..diagnostics import meant
+        from ..fixes import respelling
+        from ..model.positions import meant_name
 
-        hint, fix = meant(key.name, places, key.span)
+        near = meant_name(key.name, places, (f"*_{kind}",))
+        hint = None if near is None else f"did you mean '{near}'?"
+        fix = None if near is None else respelling(key.span, key.name, near)
         other = "link" if kind == "joint" else "joint"
         if key.name in self._places[other]:
             hint, fix = f"there is a {other} of that name: write it under `{other}s`", None

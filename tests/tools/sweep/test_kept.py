@@ -86,6 +86,29 @@ def test_extracted_shards_can_be_loaded_as_files(swept) -> None:
     assert model.nmesh == 1
 
 
+def test_the_file_of_loops_is_called_like_the_urdf_beside_it(swept) -> None:
+    limit = "limit: {lower: -1, upper: 1, effort: 1, velocity: 1}"
+    Path("four.yaml").write_text(f"""\
+robot: four
+arguments: {{a: {{default: 0.3}}}}
+model:
+- part: {{name: base, link: {{geometry: box, size: .1 .1 .1, mass: 1}}}}
+- part:
+    name: left
+    joint: {{type: revolute, parent: base, axis: y, {limit}}}
+    link: {{geometry: sphere, radius: 0.1, mass: 1}}
+- part:
+    name: right
+    joint: {{type: revolute, parent: base, xyz: $(a) 0 0, axis: y, {limit}}}
+    link: {{geometry: sphere, radius: 0.1, mass: 1}}
+- part: {{name: end, joint: {{type: fixed, parent: left, xyz: $(a) 0 0}}}}
+- loop: {{name: closing, between: [end, right], type: revolute, axis: y}}
+""")
+    yamaro.sweep("four.yaml", "runs", vary={"a": [0.2, 0.4]}, samples=1, models=True)
+    with tarfile.open("runs/models/shard-000000.tar") as shard:
+        assert shard.getnames() == ["000000000.urdf", "000000000.loops.yaml"]
+
+
 def test_a_sweep_without_models_says_so(swept) -> None:
     with pytest.raises(UsageError, match="has kept no models: run it with --models"):
         list(swept(2, models=False).models())

@@ -228,8 +228,7 @@ def test_warnings_and_errors_of_some_variants_are_reported_with_their_arguments(
     assert run("corner.yaml", "load=1..10/31", "--method", "grid") == 0
     message = capsys.readouterr().err
     assert "27 of 31 variants, 4 failed" in message
-    assert "variant 27 (load:=9.1)" in message
-    assert "[bad-size at corner.yaml:8:38]" in message
+    assert "  4 × bad-size at corner.yaml:8:38\n      such as 27 (load:=9.1): a sphere" in message
     assert "9 × angle-too-large at corner.yaml:7:42\n      such as 18 (load:=6.4)" in message
     found, built = arrays("corner.yaml", ["load"])
     np.testing.assert_array_equal(found, built)

@@ -1,10 +1,10 @@
-"""The function that the package offers: `yamaro.sweep`."""
+"""The functions that the package offers: `yamaro.sweep` and `yamaro.sweep_batch`."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ...options import Options, UsageError
 from ...policy import Policy
@@ -15,6 +15,9 @@ from .plan import Plan
 from .running import Engine, Status, chunk_size, engine_of, run_plan
 from .study import Study, Written, planned, read_study
 from .table import CSV, PARQUET, Summary, has_parquet, read_columns
+
+if TYPE_CHECKING:
+    from .batch import Batch
 
 
 class Sweep(Public):
@@ -117,28 +120,80 @@ def sweep(
         YamaroError: the study or the robot has errors, or no variant can be built.
         UsageError: an argument makes no sense, or the folder holds something else.
     """
+    study = _study(path, policy, vary=vary, fixed=fixed)
+    override(
+        study, samples=samples, method=method, seed=seed, keep=_listed(keep), to=_listed(to),
+        metrics=_listed(metrics), evaluate=evaluate, models=models or None,
+    )  # fmt: skip
     options = Options(policy=policy, packages=packages, allow=allow, deny=deny, strict=strict)
-    study = read_study(os.fspath(path), options.policy.limits)
+    plan = planned(study, options, axes={})
+    plan.chunk = chunk or 0
+    if timeout is not None:
+        plan.limit_time(timeout)
+    run_sweep(plan, output, engine_of(engine), resumes=resume, on_progress=_teller(on_progress))
+    return Sweep(output)
+
+
+def sweep_batch(
+    path: str | os.PathLike[str],
+    *,
+    vary: Mapping[str, object] | None = None,
+    fixed: Mapping[str, object] | None = None,
+    samples: int | None = None,
+    method: str | None = None,
+    seed: int | None = None,
+    keep: str | Sequence[str] = (),
+    engine: str = "local",
+    timeout: float | None = None,
+    policy: Policy | None = None,
+    packages: Mapping[str, str] | None = None,
+    allow: Sequence[str] = (),
+    deny: Sequence[str] = (),
+    strict: bool = False,
+    on_progress: Callable[[float], None] | None = None,
+) -> Batch:
+    """Build many variants of one topology as a model and arrays, for simulators of many worlds.
+
+    The arguments are those of `sweep`. The engine is of this machine: "local", or "local:8".
+
+    Raises:
+        YamaroError: the study or the robot has errors, no variant can be built, or an argument
+            changes more than numbers.
+        UsageError: an argument makes no sense.
+    """
+    from .batch import build_batch
+
+    study = _study(path, policy, vary=vary, fixed=fixed)
+    override(study, samples=samples, method=method, seed=seed, keep=_listed(keep))
+    options = Options(policy=policy, packages=packages, allow=allow, deny=deny, strict=strict)
+    plan = planned(study, options, axes={})
+    if timeout is not None:
+        plan.limit_time(timeout)
+    return build_batch(plan, engine, _teller(on_progress))
+
+
+def _study(
+    path: str | os.PathLike[str],
+    policy: Policy | None,
+    *,
+    vary: Mapping[str, object] | None,
+    fixed: Mapping[str, object] | None,
+) -> Study:
+    study = read_study(os.fspath(path), (policy or Policy()).limits)
     if vary is not None:
         study.vary = {name: Written(value) for name, value in vary.items()}
         study.places.pop("vary", None)
     if fixed is not None:
         study.fixed = {name: Written(value) for name, value in fixed.items()}
-    override(
-        study, samples=samples, method=method, seed=seed, keep=_listed(keep), to=_listed(to),
-        metrics=_listed(metrics), evaluate=evaluate, models=models or None,
-    )  # fmt: skip
-    plan = planned(study, options, axes={})
-    plan.chunk = chunk or 0
-    if timeout is not None:
-        plan.limit_time(timeout)
+    return study
 
+
+def _teller(on_progress: Callable[[float], None] | None) -> Callable[[Status], None]:
     def tell(status: Status) -> None:
         if on_progress is not None:
             on_progress(status.done / status.samples)
 
-    run_sweep(plan, output, engine_of(engine), resumes=resume, on_progress=tell)
-    return Sweep(output)
+    return tell
 
 
 def override(

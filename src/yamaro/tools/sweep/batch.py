@@ -10,17 +10,17 @@ from __future__ import annotations
 
 import io
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from queue import Empty, Queue
-from time import monotonic
 from typing import Any
 
 from ...diagnostics import YamaroError, failure, failure_of_all
 from ...options import UsageError
 from ...output import write_files
+from ...source import Public
 from .builder import Builder
 from .plan import MJCF, Plan, import_extra
-from .replaying import LEAST, Document, to_check
+from .replaying import LEAST, Document, Finding, to_check
 from .running import LOCAL, Engine, Status, engine_of
 from .table import FAILED, OK, REJECTED, Row
 from .worker import Child, ChildEnded
@@ -30,8 +30,8 @@ PARTS = ("opt", "stat")
 """Parts of a model that have numbers of their own: `stat.meaninertia`."""
 CHUNK = 64
 """Variants that a worker is given at a time."""
-MOST_WARNINGS = 10
-"""Kinds of warnings that are shown."""
+MOST_FINDINGS = 10
+"""Kinds of errors and warnings that are shown."""
 Found = tuple[Any, Any]
 """The numbers of variants, and the values that a field has in them."""
 
@@ -152,62 +152,93 @@ def _names(kind: type) -> list[str]:
     return _KNOWN[kind]
 
 
-class Batch:
-    """What was written.
+class Batch(Public):
+    """Variants of one topology: the model of the first one, and arrays of what differs.
 
     Attributes:
+        arrays: by the names of the fields of MuJoCo's model, with the variants as the first axis;
+            and `id`, the numbers of the variants, and `arguments/NAME`.
+        document: the MJCF of the first variant.
+        files: the meshes that it refers to, by path.
         samples: how many variants there were.
-        kept: how many are in the batch.
         rejected: how many did not meet the conditions.
-        failed: those that could not be built.
-        fields: the shapes of the arrays by name, without the first axis.
-        unequal: the number of a variant of which another document was recorded than was built,
-            after which all were built one by one; or None.
-        warnings: of some variants, but not of all: how many, the first one, code and message.
-        seconds: how long it took.
+        failed: how many could not be built.
     """
 
     __slots__ = (
-        "failed", "fields", "kept", "rejected", "samples", "seconds", "unequal", "warnings",
+        "_findings", "arrays", "document", "failed", "files", "rejected", "samples", "unequal",
     )  # fmt: skip
+    _internal = frozenset(("lines", "unequal"))
 
-    def __init__(self, samples: int) -> None:
-        self.samples = samples
-        self.kept = self.rejected = 0
-        self.failed: list[Row] = []
-        self.fields: dict[str, tuple[int, ...]] = {}
+    def __init__(self, rows: Sequence[Row], arrays: dict[str, Any]) -> None:
+        """Hold arrays, and what there is to say of variants, of which the first good one is whole.
+
+        `unequal` is set to the number of a variant of which another document was recorded than was
+        built, after which all were built one by one.
+        """
+        good = [row for row in rows if row.status == OK]
+        failed = [row for row in rows if row.status not in (OK, REJECTED)]
+        self.arrays = arrays
+        self.document = good[0].documents["xml"].decode()
+        self.files = good[0].assets
+        self.samples = len(rows)
+        self.rejected = len(rows) - len(good) - len(failed)
+        self.failed = len(failed)
         self.unequal: int | None = None
-        self.warnings: list[tuple[int, Row, str, str]] = []
-        self.seconds = 0.0
+        # What all variants have is not about them.
+        warnings = [(row, each) for row in good for each in dict.fromkeys(row.warnings)]
+        self._findings = [
+            *_grouped([(row, (row.code, row.place, row.message)) for row in failed]),
+            *(found for found in _grouped(warnings) if found[0] < len(good)),
+        ]
 
-    def note_warnings(self, rows: Sequence[Row]) -> None:
-        """Note what was found of some of the variants; what all have is not about them."""
-        groups: dict[tuple[str, str], list[tuple[Row, str]]] = {}
-        for row in rows:
-            seen: dict[tuple[str, str], tuple[Row, str]] = {}
-            for code, place, message in row.warnings:
-                seen.setdefault((code, place), (row, message))
-            for key, value in seen.items():
-                groups.setdefault(key, []).append(value)
-        for (code, place), found in groups.items():
-            if len(found) < len(rows):
-                row, message = found[0]
-                at = f" at {place}" if place else ""
-                self.warnings.append((len(found), row, f"{code}{at}", message))
+    def __repr__(self) -> str:
+        return f"<Batch of {len(self.arrays['id']):,} variants>"
+
+    def model(self, row: int = 0) -> Any:
+        """Return the `mujoco.MjModel` of a variant, by its row in the arrays."""
+        mujoco = import_extra("mujoco", "sim")
+        model = mujoco.MjModel.from_xml_string(self.document, self.files)
+        for name, values in self.arrays.items():
+            part, _, inner = name.rpartition(".")
+            owner = getattr(model, part) if part else model
+            if name != "id" and hasattr(owner, inner):
+                value = values[row]
+                if value.ndim:
+                    getattr(owner, inner)[:] = value
+                else:
+                    setattr(owner, inner, float(value))
+        return model
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the arrays to a file, and the model beside it, with its meshes in `assets/`.
+
+        Args:
+            path: such as `legs.npz`; the model is `legs.xml` then.
+
+        Raises:
+            OSError: it cannot be written.
+        """
+        numpy = import_extra("numpy")
+        path = os.fspath(path)
+        content = io.BytesIO()
+        numpy.savez(content, **self.arrays)
+        stem, folder = path.removesuffix(ENDING), os.path.dirname(path)
+        files = {os.path.join(folder, *name.split("/")): data for name, data in self.files.items()}
+        text = self.document.encode()
+        write_files({path: content.getvalue(), f"{stem}.xml": text, **files})
 
     def lines(self) -> list[str]:
         """Return what there is to say."""
-        counts = {"rejected": self.rejected, "failed": len(self.failed)}
+        counts = {"rejected": self.rejected, "failed": self.failed}
         others = "".join(f", {count:,} {name}" for name, count in counts.items() if count)
-        found = [f"{self.kept:,} of {self.samples:,} variants{others}; {len(self.fields)} fields"]
-        for row in self.failed[:1]:
-            where = f" at {row.place}" if row.place else ""
-            found.append(
-                f"  variant {row.index} ({_passed(row)}): {row.message} [{row.code}{where}]"
-            )
-        for count, row, what, message in self.warnings[:MOST_WARNINGS]:
+        kept = len(self.arrays["id"])
+        fields = sum(name != "id" and "/" not in name for name in self.arrays)
+        found = [f"{kept:,} of {self.samples:,} variants{others}; {fields} fields"]
+        for count, row, what, message in self._findings[:MOST_FINDINGS]:
+            passed = " ".join(f"{name}:={value}" for name, value in row.arguments.items())
             found.append(f"  {count:,} × {what}")
-            found.append(f"      such as {row.index} ({_passed(row)}): {message}")
+            found.append(f"      such as {row.index} ({passed}): {message}")
         if self.unequal is not None:
             found.append(
                 f"all variants were built one by one, since the recorded variant {self.unequal} "
@@ -216,50 +247,46 @@ class Batch:
         return found
 
 
-def _passed(row: Row) -> str:
-    """Return the arguments of a variant, as they are passed."""
-    return " ".join(f"{name}:={value}" for name, value in row.arguments.items())
+def _grouped(findings: Iterable[tuple[Row, Finding]]) -> list[tuple[int, Row, str, str]]:
+    """Return how many variants have which finding where, the first of them, and its message."""
+    groups: dict[str, dict[int, tuple[Row, str]]] = {}
+    for row, (code, place, message) in findings:
+        what = f"{code} at {place}" if place else code
+        groups.setdefault(what, {}).setdefault(row.index, (row, message))
+    found = []
+    for what, rows in groups.items():
+        first, message = next(iter(rows.values()))
+        found.append((len(rows), first, what, message))
+    return found
 
 
-def write_batch(
-    plan: Plan, path: str, engine: str | None, on_progress: Callable[[Status], None]
-) -> Batch:
-    """Build the variants of a plan, and write their arrays, with the model of the first beside.
+# --- building -------------------------------------------------------------------------------------
+
+
+def build_batch(plan: Plan, engine: str | None, on_progress: Callable[[Status], None]) -> Batch:
+    """Return the variants of a plan as a batch.
 
     Args:
         plan: what variants there are.
-        path: the file of the arrays; the model has the same name with `.xml`.
         engine: `local`, or `local:8` for that many processes.
         on_progress: is called with how far it is.
 
     Raises:
         YamaroError: no variant can be built, or an argument changes the topology.
         UsageError: the engine is not on this machine.
-        OSError: it cannot be written.
     """
     if (engine or LOCAL).partition(":")[0] != LOCAL:
         raise UsageError("a batch is built on this machine: write --engine local:8")
-    began = monotonic()
     plan.formats, plan.is_batch = [MJCF], True
     plan.is_recorded = plan.samples >= LEAST
-    batch = Batch(plan.samples)
     try:
-        first, arrays = _arrays(plan, engine, batch, on_progress)
+        return _batch(plan, engine, on_progress)
     except _Unequal as error:
         plan.is_recorded = False
         plan.run = os.urandom(8).hex()
-        batch = Batch(plan.samples)
+        batch = _batch(plan, engine, on_progress)
         batch.unequal = error.index
-        first, arrays = _arrays(plan, engine, batch, on_progress)
-    numpy = import_extra("numpy")
-    content = io.BytesIO()
-    numpy.savez(content, **arrays)
-    stem = path.removesuffix(ENDING)
-    folder = os.path.dirname(path)
-    files = {os.path.join(folder, *name.split("/")): data for name, data in first.assets.items()}
-    write_files({path: content.getvalue(), f"{stem}.xml": first.documents["xml"], **files})
-    batch.seconds = monotonic() - began
-    return batch
+        return batch
 
 
 class _Unequal(Exception):
@@ -274,12 +301,11 @@ class _Unequal(Exception):
         self.index = index
 
 
-def _arrays(
-    plan: Plan, engine: str | None, batch: Batch, on_progress: Callable[[Status], None]
-) -> tuple[Row, dict[str, Any]]:
-    """Return the first variant that can be built, and the arrays of all by name.
+def _batch(plan: Plan, engine: str | None, on_progress: Callable[[Status], None]) -> Batch:
+    """Build a batch.
 
     Raises:
+        _Unequal: a variant is another one when it is built.
         YamaroError: no variant can be built, or an argument changes the topology.
     """
     opened = engine_of(engine)()
@@ -302,11 +328,10 @@ def _arrays(
         opened.close(plan.run)
     numpy = import_extra("numpy")
     ordered = [rows[index] for index in sorted(rows)]
-    batch.rejected = sum(row.status == REJECTED for row in ordered)
-    batch.failed = [row for row in ordered if row.status not in (OK, REJECTED)]
     good = [row for row in ordered if row.status == OK]
     if not good:
-        why = batch.failed[0].message if batch.failed else "all were rejected"
+        failed = (row.message for row in ordered if row.status != REJECTED)
+        why = next(failed, "all were rejected")
         raise failure_of_all("sweep-batch", f"there is no variant to write: {why}", "sweep", None)
     for row in good[1:]:
         if row.unlike:
@@ -323,10 +348,8 @@ def _arrays(
             for numbers, part in found[name]:
                 whole[numpy.searchsorted(indices, numbers)] = part
             if (whole != value).any():
-                arrays[name], batch.fields[name] = whole, value.shape
-    batch.kept = len(good)
-    batch.note_warnings(good)
-    return good[0], arrays
+                arrays[name] = whole
+    return Batch(ordered, arrays)
 
 
 def _chunks(plan: Plan, engine: Engine) -> Iterator[tuple[list[Row], dict[str, Found]]]:

@@ -170,7 +170,9 @@ class Builder:
                 row.documents[ends_of([format])[0]] = text
                 for path, data in outputs[format].assets.items():
                     if not path.startswith(ASSETS):  # such as a scene around this very variant
-                        row.documents[f"{format}.{path}"] = data
+                        own = f"{model_name(row.index)}."  # of `000000007.loops.yaml`
+                        end = path.removeprefix(own) if path.startswith(own) else f"{format}.{path}"
+                        row.documents[end] = data
                     elif path not in self._known_assets:
                         self._known_assets.add(path)
                         row.assets[path] = data

@@ -217,7 +217,9 @@ def _sweep(arguments: Arguments, streams: Streams) -> int:
 
 
 def _batch(arguments: Arguments, streams: Streams) -> int:
-    from .batch import ENDING, write_batch
+    from time import monotonic
+
+    from .batch import ENDING, build_batch
 
     path = arguments.options["batch"]
     if not path.endswith(ENDING):
@@ -226,13 +228,15 @@ def _batch(arguments: Arguments, streams: Streams) -> int:
         if arguments.has(name):
             raise WrongUsage(f"'--batch' and '--{name}' do not go together")
     plan = _plan(arguments)
-    shown = _Shown(streams)
+    shown, began = _Shown(streams), monotonic()
     try:
-        batch = write_batch(plan, path, arguments.options.get("engine"), shown.show)
+        batch = build_batch(plan, arguments.options.get("engine"), shown.show)
     finally:
         shown.clear()
+    batch.save(path)
     if not streams.quiet:
-        streams.say("\n".join([f"{quote(path)}: {_duration(batch.seconds)}", *batch.lines()]))
+        took = _duration(monotonic() - began)
+        streams.say("\n".join([f"{quote(path)}: {took}", *batch.lines()]))
     return DONE
 
 

@@ -24,20 +24,22 @@ FREE, COST = 4, 24
 """Recordings that are made in any case, and the builds that each takes the time of."""
 
 
+Finding = tuple[str, str, str]
+"""Code, place and message of a warning."""
+
+
 class Document:
     """The document of a variant.
 
     Attributes:
         text: the document.
         files: what belongs beside it, by path.
-        warnings: what was found, as code, place and message.
+        warnings: what was found.
     """
 
     __slots__ = ("files", "text", "warnings")
 
-    def __init__(
-        self, text: str, files: Mapping[str, bytes], warnings: Sequence[tuple[str, str, str]]
-    ) -> None:
+    def __init__(self, text: str, files: Mapping[str, bytes], warnings: Sequence[Finding]) -> None:
         self.text = text
         self.files = files
         self.warnings = warnings
