@@ -50,6 +50,28 @@ for (const name of readdirSync(path.join(repository, "examples", "hexapod"))) {
   if (name.endsWith(".yaml")) files[`hexapod/${name}`] = read("examples", "hexapod", name);
 }
 
+files["xacro/rover.urdf.xacro"] = `<robot name="rover" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:property name="width" value="0.4"/>
+  <xacro:macro name="wheel" params="side y mass:=2">
+    <link name="\${side}_wheel">
+      <inertial>
+        <mass value="\${mass}"/>
+        <inertia ixx="0.01" iyy="0.02" izz="0.01" ixy="0" ixz="0" iyz="0"/>
+      </inertial>
+    </link>
+    <joint name="\${side}_axle" type="continuous">
+      <parent link="base"/>
+      <child link="\${side}_wheel"/>
+      <origin xyz="0 \${y} 0"/>
+      <axis xyz="0 1 0"/>
+    </joint>
+  </xacro:macro>
+  <link name="base"/>
+  <xacro:wheel side="left" y="\${width / 2}"/>
+  <xacro:wheel side="right" y="\${-widht / 2}"/>
+</robot>
+`;
+
 const code = await Code.open({ words: process.argv.slice(2), files, settings: SETTINGS });
 const { page } = code;
 const lineOf = (name, mark) => {
@@ -118,6 +140,17 @@ try {
   await show("hexapod/leg.yaml");
   await code.hover(...lineOf("hexapod/leg.yaml", "tibia_length)"), "tibia_length");
   await picture("hover");
+
+  await resize(760, 460);
+  const rover = "xacro/rover.urdf.xacro";
+  await show(rover, "XML");
+  await code.until("a squiggle", () => page.$(".squiggly-error"));
+  await code.hover(...lineOf(rover, "widht"), "did you mean");
+  await picture("xacro-fault");
+  writeFileSync(path.join(code.work, rover), files[rover].replace("widht", "width"));
+  await code.until("no squiggle", async () => !(await page.$(".squiggly-error")));
+  await code.hover(...lineOf(rover, `_wheel">`), "right_wheel");
+  await picture("xacro-values");
 
   await resize(760, 520);
   await show("hexapod/hexapod.yaml");

@@ -239,6 +239,22 @@ def test_arguments_are_taken_from_the_settings(work: Path) -> None:
         assert "value: `7`" in hover(client, main, '<xacro:arg name="ma|ss"')
 
 
+def test_a_robot_that_needs_an_argument_is_known_nevertheless(
+    client: Client, tmp_path: Path
+) -> None:
+    text = MAIN.replace('name="rover"', 'name="$(arg called)"').replace(
+        '<link name="base"/>', '<link name="base"/><xacro:arg name="called" default="mars"/>'
+    )
+    path = tmp_path / "rover/urdf/late.urdf.xacro"
+    path.write_text(text)
+    uri = client.open(path)
+    client.wait_for(lambda: client.codes(uri) == ["xacro-undefined", "massless-moving"])
+    assert "the setting 'arguments'" in client.diagnostics[uri][0]["message"]
+    assert "`0.2`" in hover(client, path, 'name="ha|lf"')
+    found = client.request("yamaro/main", {"textDocument": {"uri": uri}})
+    assert found["words"][0] == "called:=mars"
+
+
 def test_the_outline_has_macros_properties_links_and_joints(read: tuple[Client, Path]) -> None:
     client, work = read
     uri = named(work, "leg.xacro").as_uri()

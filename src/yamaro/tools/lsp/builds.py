@@ -8,14 +8,15 @@ from __future__ import annotations
 
 import os
 import queue
+import re
 import threading
 from functools import partial
 from itertools import islice
 
 from ...diagnostics import YamaroError
-from ...files.loader import FileLoader, MemoryLoader, OverlayLoader
+from ...files.loader import FileLoader, LoadError, MemoryLoader, OverlayLoader
 from ...options import UsageError
-from ...source import Reading, RecordedSpan, Span, is_xml_file
+from ...source import Reading, RecordedSpan, Source, Span, is_xml_file
 from ...xml.tree import Element
 from ...xml.tree import Text as XmlText
 from ...xml.values import format_value
@@ -40,6 +41,8 @@ class Result:
         diagnostics: what is to be said of them.
         root: the finished tree, or None if there is none.
         fault: what went wrong in Yamaro itself, or None.
+        supplied: arguments that a xacro file has to be given and that the user has not set, each
+            `name:=value`: what the file says of it further down, else nothing.
         texts: those that were open then, by path.
     """
 
@@ -50,6 +53,7 @@ class Result:
         self.diagnostics: Sequence[Diagnostic] = []
         self.root: Element | None = None
         self.fault: str | None = None
+        self.supplied: list[str] = []
         self.texts: Mapping[str, str] = {}
         self._moves: dict[str, Move] = {}
         self._read_robot: Callable[[], Robot] | None = None
@@ -104,9 +108,9 @@ class Job:
         result = Result(self.main)
         result.texts = self.texts
         try:
-            self._build(settings, result)
+            self._build_with_all(settings, result)
         except YamaroError as error:
-            result.diagnostics = error.diagnostics
+            result.diagnostics = [*result.diagnostics, *error.diagnostics]
             paths: dict[str, None] = {}
             for diagnostic in error.diagnostics:
                 paths[diagnostic.span.source.path] = None
@@ -123,6 +127,44 @@ class Job:
             result.fault = f"{error.kind}: {error} at {error.place}"
         return None if self.is_abandoned else result
 
+    def _build_with_all(self, settings: Settings, result: Result) -> None:
+        """Build, and again with each argument that is missing; that it is missing stays an error.
+
+        Otherwise nothing would be known of a robot that is only built from a launch file.
+        """
+        lacking: list[Diagnostic] = []
+        while True:
+            try:
+                self._build(settings, result)
+            except YamaroError as error:
+                first = error.diagnostics[0]
+                missing = _MISSING_ARGUMENT.match(first.message)
+                if missing is None or len(lacking) == MOST_SUPPLIED or self.is_abandoned:
+                    raise
+                result.supplied.append(f"{missing[1]}:={self._default_of(missing[1])}")
+                first.hint = "declare it above, or give it in the setting 'arguments' of the editor"
+                lacking.append(first)
+                result.diagnostics = lacking
+            else:
+                result.diagnostics = [*lacking, *result.diagnostics]
+                return
+
+    def _default_of(self, name: str) -> str:
+        """Return the default that the main file gives an argument somewhere, "" if it has none."""
+        from ...xacro.symbol_table import ARGUMENT, definitions_in
+        from ...xml.reader import read_xml
+
+        try:
+            loader = OverlayLoader(self.texts, FileLoader())
+            text = loader.read(self.main).decode("utf-8", "replace")
+            root = read_xml(Source(text, name=self.main, path=self.main)).root
+        except (LoadError, YamaroError):
+            return ""
+        for each in definitions_in(root):
+            if each.kind == ARGUMENT and each.name == name and "$" not in each.text:
+                return each.text
+        return ""
+
     def _build(self, settings: Settings, result: Result) -> None:
         from ...program import Program
         from ...request import reach_of
@@ -136,7 +178,7 @@ class Job:
             packages=settings.all_packages,
         )
         build = program.build(
-            command_line=settings.arguments_of(self.main),
+            command_line=[*settings.arguments_of(self.main), *result.supplied],
             advice=True,
             records=True,
             on_message=_drop,
@@ -146,6 +188,11 @@ class Job:
         result.root = build.root
         result._noted = build.noted
         result._read_robot = lambda: build.robot
+
+
+MOST_SUPPLIED = 10
+"""Missing arguments that are supplied to a build."""
+_MISSING_ARGUMENT = re.compile(r"the argument '([^\s']+)' is not declared before this place$")
 
 
 def _drop(message: str) -> None:

@@ -256,14 +256,16 @@ _PACKAGE = re.compile(r"(?:package://|\$\(find(?:-pkg-share)?\s+)([A-Za-z0-9_-]+
 def main_file(workspace: Workspace, parameters: Json) -> Json:
     """Return the main file of the program that a file is in, and what a command is to be given.
 
-    These are the arguments that the user has set, and the folders of the packages that are named.
+    These are the arguments that the user has set, those without which there is no robot, and the
+    folders of the packages that are named.
     """
     path = path_of(parameters["textDocument"]["uri"])
     mains = workspace.mains_of(path)
     main = next((each for each in mains if each in workspace.good), mains[0])
     names = {name for text in workspace.program_of(path) for name in _PACKAGE.findall(text.text)}
     packages = workspace.settings.all_packages
-    words = [*workspace.settings.arguments_of(main)]
+    supplied = workspace.good[main].supplied if main in workspace.good else []
+    words = [*workspace.settings.arguments_of(main), *supplied]
     for name in sorted(names & packages.keys()):
         words += ["--package", f"{name}:={packages[name]}"]
     return {"main": main, "words": words}

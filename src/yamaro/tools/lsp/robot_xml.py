@@ -98,16 +98,23 @@ class RobotNames:
                     self.found.append(Name(BODY, written, place, element, macro))
 
     def at(self, offset: int) -> Name | Span | None:
-        """Return the name or the computed stretch that an offset is in: the shortest one."""
+        """Return the name or the computed stretch that an offset is in: the shortest one.
+
+        One that ends at the offset counts if there is no other.
+        """
         places: list[tuple[Span, Name | Span]] = [(each.span, each) for each in self.found]
         places += [(each, each) for each in self.computed]
         within = [each for each in places if each[0].start <= offset <= each[0].end]
-        return min(within, key=lambda each: each[0].end - each[0].start)[1] if within else None
+        return min(within, key=lambda each: _nearness(each[0], offset))[1] if within else None
 
     def computed_at(self, offset: int) -> Span | None:
         """Return the innermost `${…}` or `$(…)` that an offset is in."""
         within = [each for each in self.computed if each.start <= offset <= each.end]
-        return min(within, key=lambda each: each.end - each.start, default=None)
+        return min(within, key=lambda each: _nearness(each, offset), default=None)
+
+
+def _nearness(span: Span, offset: int) -> tuple[bool, int]:
+    return span.end == offset, span.end - span.start
 
 
 def kind_of_attribute(tag: str, attribute: str) -> str:
@@ -436,11 +443,11 @@ def _about_bodies(files: RobotFiles, text: OpenText, name: Name) -> list[str]:
     bodies = files.bodies(text, name)
     lines = []
     for robot, kind, own in bodies[:MOST_BODIES]:
-        lines.append(f"**{own}** ({kind})")
-        if kind == LINK:
-            lines.append(about_link(robot, robot.links[own]))
-        else:
-            lines.append(about_joint(robot.joints[own]))
+        joint = robot.joints.get(own) if kind == JOINT else None
+        what = f"{joint.type} joint" if joint is not None else kind
+        about_it = about_link(robot, robot.links[own]) if joint is None else about_joint(joint)
+        rows = about_it.partition("\n")[2]  # its name is in the title
+        lines += [f"**{own}** ({what})", *([rows] if rows else [])]
     if len(bodies) > MOST_BODIES:
         names = ", ".join(f"`{own}`" for _, _, own in bodies[MOST_BODIES : MOST_BODIES + 20])
         lines.append(f"also {names}")
