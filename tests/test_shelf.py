@@ -24,6 +24,7 @@ import yamaro
 from tests import shelf
 from tests.consumers import oracles
 from tests.consumers.usd_judges import complaints_of
+from tests.effort import tried
 from tests.later import Later
 from yamaro.commands.main import main
 
@@ -38,6 +39,8 @@ VENDORS = [(name, vendor) for name in NAMES for vendor in shelf.vendor_files(nam
 FORMATS = ("urdf", "sdf", "mjcf", "usd")
 
 each_robot = pytest.mark.parametrize("name", NAMES)
+each_written = pytest.mark.parametrize("name", tried(NAMES, str, quick=4, usual=1))
+"""Those that are written in all formats, which takes most of the time."""
 each_model = pytest.mark.parametrize(
     ("name", "vendor"),
     VENDORS,
@@ -208,13 +211,13 @@ def test_check_finds_nothing_and_its_own_test_passes(
     assert main(["test", str(shelf.ROBOTS / name)]) == 0, capsys.readouterr().err
 
 
-@each_robot
+@each_written
 def test_urdfdom_accepts_it(name: str, written: Callable[[str], Path]) -> None:
     run = oracles.run_check_urdf(of_kind(written(name), ".urdf"))
     assert run.returncode == 0, run.stdout + run.stderr
 
 
-@each_robot
+@each_written
 def test_mujoco_holds_it_still_where_it_starts(name: str, written: Callable[[str], Path]) -> None:
     model = mujoco.MjModel.from_xml_path(str(written(name) / "scene.xml"))
     model.opt.disableflags |= mujoco.mjtDisableBit.mjDSBL_SENSOR  # a lidar takes most of the time
@@ -242,7 +245,7 @@ def _end_of_joint(model: Any, index: int) -> int:
     return int(model.nq if last else model.jnt_qposadr[index + 1])
 
 
-@each_robot
+@each_written
 def test_drake_reads_the_sdf(name: str, written: Callable[[str], Path]) -> None:
     oracles.require_module("pydrake")
     from pydrake.multibody.parsing import Parser
@@ -256,7 +259,7 @@ def test_drake_reads_the_sdf(name: str, written: Callable[[str], Path]) -> None:
     assert found == pytest.approx(mass_in(written(name)), rel=1e-6)
 
 
-@each_robot
+@each_written
 def test_openusd_reads_the_usd(name: str, written: Callable[[str], Path]) -> None:
     from pxr import Usd, UsdPhysics
 
@@ -267,7 +270,7 @@ def test_openusd_reads_the_usd(name: str, written: Callable[[str], Path]) -> Non
     assert sum(masses) == pytest.approx(mass_in(written(name)), rel=1e-5)
 
 
-@each_robot
+@each_written
 def test_pinocchio_takes_the_pairs_of_the_srdf(name: str, written: Callable[[str], Path]) -> None:
     found = list(written(name).glob("*.srdf"))
     if not found:
