@@ -126,3 +126,26 @@ def test_attached_documents_are_merged_as_mujoco_does(tmp_path) -> None:
     assert ours.site("in_world").id == source.site("in_world").id
     for name in ("timestep", "iterations", "ls_tolerance", "sdf_initpoints"):
         assert getattr(ours.opt, name) == getattr(source.opt, name)
+
+
+def test_copies_of_copies_are_called_as_in_mujoco(tmp_path) -> None:
+    mujoco = oracles.require_module("mujoco")
+    (tmp_path / "leg.xml").write_text(
+        '<mujoco model="leg"><worldbody><body name="hip"><joint name="j"/><geom size="0.1"/>'
+        "</body></worldbody></mujoco>"
+    )
+    path = tmp_path / "many.xml"
+    path.write_text(
+        '<mujoco><asset><model name="m" file="leg.xml"/></asset><worldbody>'
+        '<replicate count="2" offset="3 0 0" sep="_"><frame pos="0 0 1">'
+        '<replicate count="3" offset="0 1 0" sep="-"><attach model="m" body="hip" prefix="a"/>'
+        "</replicate></frame></replicate></worldbody></mujoco>"
+    )
+    ours = mujoco.MjModel.from_xml_string(yamaro.build(path, target="mjcf").xml())
+    source = mujoco.MjModel.from_xml_path(str(path))
+    for model in (ours, source):
+        assert model.nbody == 7
+    for index in range(1, 7):
+        name = source.body(index).name
+        assert ours.body(index).name == name
+        assert ours.body(index).pos == pytest.approx(source.body(index).pos)

@@ -71,7 +71,7 @@ def renamed(element: Element, suffix: str, names: Names, *, is_named: bool) -> E
                     changed = (name + suffix * ((kind, name) in names) for name in found)
                     attributes[attribute] = " ".join(changed)
         if each.name == "attach":
-            attributes[SUFFIX] = suffix + str(attributes.get(SUFFIX, ""))
+            attributes[SUFFIX] = str(attributes.get(SUFFIX, "")) + suffix
         own = text(each, "name")
         if own and (is_named or each is element):
             attributes["name"] = own + suffix
