@@ -363,6 +363,11 @@ def show(verdicts: list[Verdict], options: argparse.Namespace) -> None:
             print(f"  {name} in {len(cases)} models, such as {cases[0][0]}: {cases[0][1]}")
 
 
+def _last_number(text: str) -> float:
+    found = re.findall(r"[0-9.]+$", text)
+    return float(found[0]) if found else 0.0
+
+
 def _cause(verdict: Verdict) -> str:
     if verdict.kind == FAILS:
         return re.sub(r"'[^']*'|[\d.e-]+", "…", verdict.why)[:100]
@@ -403,7 +408,7 @@ def main() -> None:
                 line = (each.path, each.kind, each.why, ", ".join(each.told))
                 print(*line, sep="\t", file=table, flush=True)
     if options.mode == "times":
-        for each in sorted(verdicts, key=lambda each: float(each.why.rpartition(" ")[2])):
+        for each in sorted(verdicts, key=lambda each: (each.kind == FAILS, _last_number(each.why))):
             print(f"{each.path}: {each.why}")
         return
     show(verdicts, options)
