@@ -272,7 +272,19 @@ this page, and records what the vendors say.
 
 def table() -> str:
     """Return the page with all robots."""
-    return HEAD + "".join(map(row, shelf.names())) + FOOT
+    vendors = [
+        (name, path)
+        for name in shelf.names()
+        if not shelf.parts_of(name)
+        for path in shelf.vendor_files(name)
+    ]
+    there = sum(json.loads(path.read_text("utf-8"))["source"]["lines"] for _, path in vendors)
+    here = sum(shelf.own_lines(name) for name in {name for name, _ in vendors})
+    total = f"""
+Without those that are put together of others, and those without a vendor's description, it is
+{here:,} lines here and {there:,} there.
+"""
+    return HEAD + "".join(map(row, shelf.names())) + total + FOOT
 
 
 def row(name: str) -> str:
@@ -304,8 +316,7 @@ def package(name: str) -> dict[str, str]:
     """Return the files that make a robot's folder a package, as `yamaro new` has them."""
     readme = (shelf.ROBOTS / name / "README.md").read_text(encoding="utf-8")
     values = {"TITLE": readme.splitlines()[0].removeprefix("# "), "LICENSE": "GPL-3.0-or-later"}
-    text = "".join(p.read_text("utf-8") for p in (shelf.ROBOTS / name / "urdf").glob("*.yaml"))
-    others = sorted(set(re.findall(r"package://(yamaro_\w+)/", text)))
+    others = sorted(f"yamaro_{part}" for part in shelf.parts_of(name))
     files = files_around(
         f"yamaro_{name}",
         name,

@@ -79,10 +79,18 @@ def lines_of(text: str, *, is_xml: bool) -> int:
     return sum(bool(line) and (is_xml or not line.startswith("#")) for line in lines)
 
 
+def parts_of(name: str) -> set[str]:
+    """Return the robots that a robot is put together of."""
+    files = (ROBOTS / name / "urdf").glob("*.yaml")
+    text = "".join(path.read_text(encoding="utf-8") for path in files)
+    return set(re.findall(r"package://yamaro_(\w+)/", text))
+
+
 def own_lines(name: str) -> int:
-    """Return how many lines the YAML of a robot has."""
+    """Return how many lines the YAML of a robot has, with that of its parts."""
     files = sorted((ROBOTS / name / "urdf").glob("*.yaml"))
-    return sum(lines_of(path.read_text(encoding="utf-8"), is_xml=False) for path in files)
+    lines = sum(lines_of(path.read_text(encoding="utf-8"), is_xml=False) for path in files)
+    return lines + sum(map(own_lines, parts_of(name)))
 
 
 # --- what readers say -------------------------------------------------------------------------
