@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.effort import is_tried
 from tests.fitting.solids import noisy
 from tests.waiting import PATIENCE
 from yamaro import YamaroError, build
@@ -140,9 +141,42 @@ STRANGE = {
     "inside out": b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n",
     "corners twice": b"v 0 0 0\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 0 1\n"
     b"f 1 4 3\nf 2 3 5\nf 1 6 4\nf 3 4 5\nf 1 2 3\n",
+    "twice": b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n" + 2 * b"f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n",
+    "both sides": b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+    b"f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n",
     "in millimetres": b"v 0 0 0\nv 900 0 0\nv 0 300 0\nv 0 0 200\n"
     b"f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n",
 }
+
+
+WORDS = ("collision: {fit: hull}", "collision: {decompose: 4}",
+         "collision: {spheres: 4, cover: true}", "visual: {triangles: 4}")  # fmt: skip
+
+
+@pytest.mark.parametrize("word", WORDS)
+@pytest.mark.parametrize("name", [*BAD, *STRANGE])
+def test_each_word_has_an_answer_for_each_bad_mesh(name: str, word: str) -> None:
+    """Flat meshes have no hull and no pieces; a volume that is written twice counts once."""
+    if not is_tried(f"{name} {word}", quick=8, usual=3):
+        return
+    data, reason = BAD.get(name, (b"", ""))
+    Path("arm.stl").write_bytes(data or STRANGE.get(name, b""))
+    link = "{geometry: arm.stl, mass: 1, inertial: {inertia: 1 0 0 1 0 1}, WORD}"
+    robot = f"robot: arm\nmodel:\n- part: {{name: base, link: {link}}}\n".replace("WORD", word)
+    Path("r.yaml").write_text(robot, encoding="utf-8")
+    if name in ("one triangle", "flat", "a line") and ("hull" in word or "decompose" in word):
+        reason = "flat" if name != "a line" else "area"
+        reason = "flat" if "hull" in word else reason
+    if not reason:
+        (fit,) = build("r.yaml", policy=Policy(SAFE)).robot.fits
+        assert 1 <= fit.count <= 4
+        assert fit.excess is None or fit.excess > -1e-6
+        return
+    with pytest.raises(YamaroError) as caught:
+        build("r.yaml", policy=Policy(SAFE))
+    (error,) = caught.value.diagnostics
+    assert (error.code, error.span.written()) == ("bad-mesh", "arm.stl")
+    assert reason in error.message
 
 
 @pytest.mark.parametrize("kind", ["box", "cylinder", "capsule", "sphere"])

@@ -171,8 +171,10 @@ def fitted(mesh: TriangleMesh, wanted: Wanted) -> Fit:
     except ImportError as error:
         raise MissingLibraryError(error.name or str(error)) from error
     from .quality import quality_of
+    from .sampling import without_twins
 
     size = _size(mesh)
+    mesh = without_twins(mesh)
     pieces: list[Placed | TriangleMesh]
     match wanted.word:
         case "fit" if wanted.kind == HULL:

@@ -8,11 +8,10 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from ..meshes.formats import MeshFileError
+from ..meshes.triangles import TriangleMesh
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
-
-    from ..meshes.triangles import TriangleMesh
 
     Floats = NDArray[np.floating[Any]]
     Whole = NDArray[np.integer[Any]]
@@ -40,6 +39,20 @@ def arrays_of(mesh: TriangleMesh) -> tuple[Floats, Whole]:
     triangles = np.array(mesh.triangles, int).reshape(-1, 3)
     used, places = np.unique(triangles.ravel(), return_inverse=True)
     return points[used], places.reshape(-1, 3)
+
+
+def without_twins(mesh: TriangleMesh) -> TriangleMesh:
+    """Return a mesh in which each triangle is once, whatever side it is seen from.
+
+    Exporters write surfaces twice, also once for each side: then their volume has no meaning.
+    """
+    points = np.array(mesh.vertices, float).reshape(-1, 3)
+    _, places = np.unique(points, axis=0, return_inverse=True)
+    corners = np.sort(places.reshape(-1)[np.array(mesh.triangles, int).reshape(-1, 3)], axis=1)
+    first = np.unique(corners, axis=0, return_index=True)[1]
+    if len(first) == len(corners):
+        return mesh
+    return TriangleMesh(mesh.vertices, [mesh.triangles[index] for index in np.sort(first)])
 
 
 def areas_of(points: Floats, triangles: Whole) -> Floats:
@@ -90,10 +103,7 @@ class Solid:
     )  # fmt: skip
 
     def __init__(self, points: Floats, triangles: Whole) -> None:
-        """Look at a surface: corners, N×3, and triangles, M×3; those given twice count once."""
-        _, merged = np.unique(points, axis=0, return_inverse=True)
-        corners = np.sort(merged.reshape(-1)[triangles], axis=1)
-        triangles = triangles[np.sort(np.unique(corners, axis=0, return_index=True)[1])]
+        """Look at a surface: corners, N×3, and triangles, M×3."""
         samples, found_in = spread_over(points, triangles, SAMPLES)
         a, b, c = (points[triangles[found_in, corner]] for corner in range(3))
         normals = np.cross(b - a, c - a)
