@@ -187,6 +187,21 @@ ARM = """
 """
 
 
+def test_of_two_coupled_joints_the_one_that_nothing_drives_follows(tmp_path) -> None:
+    """q₁ = a + b·q₂ is also q₂ = −a/b + q₁/b."""
+    turned = ARM.replace(
+        'joint1="c" joint2="b" polycoef="0.1', 'joint1="b" joint2="c" polycoef="0.2'
+    )
+    robot = Robot.from_mjcf(saved(tmp_path, turned))
+    assert robot.joints["b"].mimic is None
+    mimic = robot.joints["c"].mimic
+    assert mimic is not None
+    assert (mimic.joint, mimic.multiplier) == ("b", -0.5)
+    assert mimic.offset == pytest.approx(0.1)
+    written = yamaro.build(tmp_path / "robot.xml", target="mjcf", on_message=print).xml()
+    assert written.count("polycoef") == 1
+
+
 def test_actuators_sensors_and_states_are_those_of_the_model(tmp_path) -> None:
     robot = Robot.from_mjcf(saved(tmp_path, ARM))
     servo, torque = robot.actuators["a"], robot.actuators["b"]

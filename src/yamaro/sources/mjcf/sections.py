@@ -17,7 +17,7 @@ from .words import add_sensors
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Collection, Mapping, Sequence
 
     from ...model.making import Value
     from .building import Builder
@@ -249,10 +249,13 @@ def read_mimics(
                 given = numbers(thing.given, "polycoef", 1, 5) or []
                 row[: len(given)] = given
                 is_single = {joints[name], joints[other]} <= {"hinge", "slide"}
-                if any(row[2:]) or not row[1] or name in mimics or name in driven or not is_single:
+                if any(row[2:]) or not row[1] or not is_single:
                     continue
-                if _leads_to(mimics, other, name):
-                    continue
+                if not _can_follow(name, other, mimics, driven):  # solved for the other joint
+                    name, other, leader = other, name, follower
+                    row = [-row[0] / row[1], 1 / row[1]]
+                    if not _can_follow(name, other, mimics, driven):
+                        continue
                 offset = row[0] + refs.get(name, 0.0) - row[1] * refs.get(other, 0.0)
                 span = thing.where("polycoef")
                 places = {"joint": leader[1], "multiplier": span, "offset": span}
@@ -265,6 +268,13 @@ def read_mimics(
                 }
                 mimics[name] = making.element("mimic", Place(thing.span, places), values)
     return mimics, elements
+
+
+def _can_follow(
+    name: str, leader: str, mimics: Mapping[str, Element], driven: Collection[str]
+) -> bool:
+    """Return whether a joint may follow another: nothing drives it, and it leads to no circle."""
+    return name not in mimics and name not in driven and not _leads_to(mimics, leader, name)
 
 
 def _leads_to(mimics: Mapping[str, Element], name: str, end: str) -> bool:

@@ -170,11 +170,17 @@ class Blocks:
         """
         return self._actuators.get((joint, "")) or self._actuators.get((joint, word))
 
-    def equality_of(self, name: str, follower: str | None = None) -> bool:
-        """Return whether a block has an equality of this name whole, or that of a follower."""
+    def equality_of(self, name: str, ends: tuple[str, str] | None = None) -> bool:
+        """Return whether a block has an equality of this name whole, or that of a follower.
+
+        Args:
+            name: the name.
+            ends: the follower and its leader; the equality may be solved for the leader.
+        """
         for each in self.in_section("equality"):
-            if follower is not None and each.name == "joint":
-                if attribute_text(each, "joint1") == follower:
+            if ends is not None and each.name == "joint":
+                first, second = (attribute_text(each, key) for key in ("joint1", "joint2"))
+                if first == ends[0] or (second, first) == ends:
                     return True
             elif attribute_text(each, "name") == name and not ENDS.isdisjoint(each.attributes):
                 return True

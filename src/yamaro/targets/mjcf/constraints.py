@@ -29,8 +29,8 @@ def add_mimics(writing: Writing) -> None:
         mimic, leader = joint.mimic, leader_of(robot, joint)
         if mimic is None or leader is None or joint.name not in writing.joints:
             continue
-        name = writing.joint_name(joint.name)
-        if writing.blocks.equality_of(joint.name, name):
+        name, other = writing.joint_name(joint.name), writing.joint_name(leader.name)
+        if writing.blocks.equality_of(joint.name, (name, other)):
             continue
         places: dict[str, Span] = {
             "joint2": mimic.span_of("joint"),
@@ -40,7 +40,7 @@ def add_mimics(writing: Writing) -> None:
             "name": writing.names.fresh(EQUALITY, joint.name),
             "class": writing.classes.model,
             "joint1": name,
-            "joint2": writing.joint_name(leader.name),
+            "joint2": other,
             "polycoef": (mimic.offset, mimic.multiplier, 0, 0, 0),
         }
         made = element("joint", attributes, owner=joint, part=mimic, places=places)
