@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import os
+from bisect import bisect_left
+from functools import lru_cache
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -178,11 +180,23 @@ def position_at(source: Source, offset: int, encoding: str) -> Json:
     """Return the position of an offset."""
     offset = max(0, min(offset, len(source.text)))
     line, column = source.location(offset)
-    text = source.line_text(line)
-    column = min(column - 1, len(text))
-    if encoding == UTF_16 and not text.isascii():
-        column = width(text[:column], encoding)
+    length, wide = _measured(source, line)
+    column = min(column - 1, length)
+    if encoding == UTF_16:
+        column += bisect_left(wide, column)
     return {"line": line - 1, "character": column}
+
+
+@lru_cache(maxsize=16)
+def _measured(source: Source, line: int) -> tuple[int, list[int]]:
+    """Return the length of a line, and where it has characters of two units of UTF-16.
+
+    It is kept, since a robot can be one line, with thousands of elements to show.
+    """
+    text = source.line_text(line)
+    if text.isascii():
+        return len(text), []
+    return len(text), [index for index, char in enumerate(text) if char > "\uffff"]
 
 
 def width(text: str, encoding: str) -> int:
