@@ -153,7 +153,7 @@ def test_every_example_gives_the_same_as_on_cpython(page: Playground) -> None:
         page.run(f"playground.ask('open', {json.dumps(opened)})")
         for word, target in formats.items():
             told = page.run(f"playground.ask('write', {{format: {word!r}}})")
-            wanted = expected(ROOT / "examples" / name / main, target)
+            wanted = expected(pack.folder_of(name) / main, target)
             assert (told["text"] is None) == (wanted is None), (name, word)
             assert differing(told["text"], wanted) == [], (name, word)
 
