@@ -36,15 +36,26 @@ pytestmark = pytest.mark.slow
 
 
 class Playground(Chromium):
-    """The page of the playground."""
+    """The page of the playground.
+
+    What takes longer than 10 s is stopped, as a build may on a busy machine: it is asked again.
+    """
 
     address = ""
 
     def start(self, rest: str = "") -> None:
         """Open the page, and wait until the robot is built."""
-        self.open("about:blank")
-        self.open(self.address + rest)
-        self.wait_for(BUILT)
+        for _ in range(20):
+            self.open("about:blank")
+            self.open(self.address + rest)
+            self.wait_for(BUILT)
+            if not self.was_stopped():
+                return
+
+    def was_stopped(self) -> bool:
+        """Tell whether the build took too long."""
+        problems = self.text("#problems")
+        return "stopped after 10 s" in problems or "limit-time" in problems
 
     def load_again(self) -> None:
         """Reload the page, and wait until the robot is built."""
@@ -52,18 +63,14 @@ class Playground(Chromium):
         self.wait_for(f"!window.isOld && {BUILT}")
 
     def choose(self, example: str) -> None:
-        """Open an example, and wait until the robot is built.
-
-        What takes longer than 10 s is stopped, as a build may on a busy machine: it is asked again.
-        """
+        """Open an example, and wait until the robot is built."""
         number = [name for name, _, _ in pack.EXAMPLES].index(example)
         choice = "document.getElementById('examples')"
         for _ in range(20):
             before = self.run("playground.built")
             self.run(f"{choice}.value = {number}; {choice}.dispatchEvent(new Event('change'))")
             self.wait_for(f"playground.built > {before} && playground.isReady")
-            problems = self.text("#problems")
-            if "stopped after 10 s" not in problems and "limit-time" not in problems:
+            if not self.was_stopped():
                 return
 
     def write(self, text: str, name: str | None = None) -> None:
