@@ -15,7 +15,7 @@ from ..model.schema import ELEMENTS, OF_1_2, TEXT
 from ..model.shapes import Mesh
 from ..model.values import attribute_text, child_named
 from ..xml.tree import Element, Text
-from .context import CheckContext, counted, degrees_hint, label, shown
+from .context import CheckContext, counted, degrees_hint, is_attribute, label, shown
 from .files import advise_on_addresses
 from .robot import is_fixed
 
@@ -390,12 +390,14 @@ def _advise_on_mesh(
     path = resolve_mesh(mesh.filename, element.value_span("filename"))
     sizes[mesh] = size = None if path is None else mesh_extent(path, mesh.scale)
     if size is not None and size > LARGEST_MESH:
+        is_key = not is_attribute(element.value_span("filename"))
+        wanted = "scale: 1mm" if is_key else "scale=0.001 0.001 0.001"
         context.report(
             "large-mesh",
             f"the mesh '{mesh.filename}' of {label(link.element)} is {shown(size)} m in size",
             element,
             attribute="filename",
-            hint="if it is in millimetres, write `scale=0.001 0.001 0.001`",
+            hint=f"if it is in millimetres, write `{wanted}`",
         )
 
 

@@ -464,6 +464,23 @@ def test_a_site_of_the_world_with_the_name_of_a_body_keeps_its_settings(tmp_path
     assert "mjcf: {name: arm, size: 0.3}" in migration.text
 
 
+def test_bodies_that_mujoco_makes_of_a_flex_come_after_those_before_it(tmp_path: Path) -> None:
+    path = tmp_path / "cloth.xml"
+    path.write_text(
+        """<mujoco><worldbody>
+        <body name="hand" pos="0 0 1"><joint name="lift" type="slide"/><geom size="0.1"/></body>
+        <flexcomp name="cloth" type="grid" dim="2" count="3 3 1" spacing="0.1 0.1 0.1"/>
+        </worldbody></mujoco>"""
+    )
+    assert main(["migrate", str(path), "-o", str(tmp_path / "cloth.yaml"), "-q"]) == 0
+    document = yamaro.build(str(tmp_path / "cloth.yaml"), target="mjcf").xml()
+    judge = pytest.importorskip("mujoco").MjModel
+    models = [judge.from_xml_path(str(path)), judge.from_xml_string(document)]
+    first, second = ([model.body(i).name for i in range(model.nbody)] for model in models)
+    assert first == second
+    assert first[1] == "hand" and len(first) == 11
+
+
 def test_quaternions_stay_where_angles_would_be_long(tmp_path: Path) -> None:
     path = tmp_path / "one.xml"
     (tmp_path / "a.obj").write_text(

@@ -50,6 +50,8 @@ SMOOTH, ROLLING = 0.005, 0.0001
 """MuJoCo's coefficients of friction against turning and rolling, in m."""
 OF_CONTACTS = frozenset("friction condim margin gap solref solimp solmix priority".split())
 """What means nothing of a geom that touches none."""
+MAKES_BODIES = frozenset(("composite", "flexcomp"))
+"""What MuJoCo makes bodies of, which have numbers and no names."""
 DETAILS_OF_MESHES = frozenset(("maxhullvert", "smoothnormal", "content_type"))
 """What a mesh says that its file does not hold."""
 
@@ -344,7 +346,11 @@ class Builder:
             kept_other = placed(other)
             if other.kind == "camera":
                 add_camera(self, body.name, other, kept_other)
-            self.keep(body.name, kept_other)
+            if body is self.world and self._comes_last(other):
+                last = Element("worldbody", other.span, children=[self.assets.use(kept_other)])
+                self.rest.append(block(other.span, [last]))
+            else:
+                self.keep(body.name, kept_other)
         is_empty = body is not self.world and not (inertial or visuals or collisions)
         is_empty = is_empty and body.inertial is None  # a mass of 0 is in the block
         if is_empty and not {"gravcomp", "mocap", "sleep"} & thing.given.keys():
@@ -355,6 +361,13 @@ class Builder:
         self.links.append(making.link(place, body.name, inner))
         for site in body.sites:
             self._add_frame(body, site)
+
+    def _comes_last(self, other: Thing) -> bool:
+        """Return whether something makes bodies that are numbered after those of the world."""
+        if other.kind not in MAKES_BODIES or not self.world.bodies:
+            return False
+        last = self.world.bodies[-1].thing.span
+        return last.source is other.span.source and last.start < other.span.start
 
     def _keep_geoms(
         self,
