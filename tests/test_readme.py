@@ -21,7 +21,8 @@ def test_the_robot_of_the_readme_and_of_the_home_is_that_of_the_picture() -> Non
 def test_the_readme_and_the_home_say_the_same_sets_it_apart() -> None:
     said = []
     for page in PAGES:
-        text = (REPOSITORY / page).read_text(encoding="utf-8").replace("](docs/", "](")
+        text = (REPOSITORY / page).read_text(encoding="utf-8")
+        text = text.replace("](docs/", "](").replace("](../", "](")
         said.append(text.partition("## What sets it apart\n")[2].partition("\n## ")[0].strip())
     assert said[0]
     assert said[0] == said[1]
