@@ -897,7 +897,7 @@ CASES = {
         part:
           name: base
           link:
-            collision: {geometry: a.stl, scale: 0.001 0.001 0.001}
+            collision: {geometry: a.stl, scale: 1mm}
         """,
     ),
     "a mesh with an odd ending, and a shape with more, are elements": (
