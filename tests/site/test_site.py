@@ -146,7 +146,7 @@ def test_the_site_is_built_strictly(built: str) -> None:
             "diagnostics.html#undefined-name",
             "diagnostics-expressions-and-python.html#undefined-name",
         ),
-        ("sweep-metrics.html#stable", "sweeps.html#stable"),
+        ("sweep-metrics.html#built-in-metrics", "sweeps.html#built-in-metrics"),
     ],
 )
 def test_an_old_anchor_leads_on(site: Site, old: str, new: str) -> None:
