@@ -109,8 +109,8 @@ def roots_of(path: str, allowed: Sequence[str], packages: PackageFinder) -> list
 
     These are its own folder; where the environment says that packages are; the packages it lies in,
     and those beside them; the Python package that brings it; its repository and the `src` folder of
-    its workspace. A folder that holds
-    the user's home is never one of them, whatever is in it: many keep settings in a repository.
+    its workspace. A folder that holds the user's home is never one of them, whatever is in it: many
+    keep settings in a repository.
 
     Args:
         path: the main file, absolute.
@@ -129,12 +129,12 @@ def roots_of(path: str, allowed: Sequence[str], packages: PackageFinder) -> list
 
 def _wheels_around(folder: str) -> list[str]:
     """Return the folder of the installed Python package that a folder lies in, if any."""
-    found, inner = [], folder
+    inner = folder
     while (outer := os.path.dirname(inner)) != inner:
         if os.path.basename(outer) in PACKAGE_FOLDERS:
-            found.append(inner)
+            return [inner]
         inner = outer
-    return found[:1]
+    return []
 
 
 def _holds_home(folder: str) -> bool:

@@ -56,6 +56,7 @@ class Piece:
     Attributes:
         triangles: the surface there, N×3×3, in metres.
         coarse: the same with few triangles, by which planes are chosen.
+        solid: what is cut, the same for all pieces.
         planes: those around it, each as its normal, which points outward, and its place along
             that, N×4.
         deep: where three of these planes meet in the solid, N×3.

@@ -125,14 +125,16 @@ class XacroNames:
             span = _last(element.value_span("name"), defined.name)
             kind = PROPERTY if defined.kind == BLOCK else defined.kind
             if "name" in given:
-                self._add(kind, defined.name, span, element, macro, is_definition=True)
+                self.found.append(
+                    Name(kind, defined.name, span, element, macro, is_definition=True)
+                )
             if defined.kind == MACRO:
                 self._take_parameters(element)
             return
         tag = element.name[len(PREFIX) :]
         if tag == "insert_block" and "name" in given:
             name = format_value(given["name"])
-            self._add(PROPERTY, name, element.value_span("name"), element, macro)
+            self.found.append(Name(PROPERTY, name, element.value_span("name"), element, macro))
         elif tag == "call" and "macro" in given:
             name = format_value(given["macro"])
             self._take_call(name, element.value_span("macro"), element, macro)
@@ -141,11 +143,11 @@ class XacroNames:
 
     def _take_call(self, name: str, span: Span, element: Element, macro: Element | None) -> None:
         space, _, own = name.rpartition(".")
-        self._add(MACRO, own, _last(span, own), element, macro, space=space)
+        self.found.append(Name(MACRO, own, _last(span, own), element, macro, space=space))
         for attribute in element.attributes:
             if not attribute.startswith("xmlns") and (element.name, attribute) != _CALLED:
                 place = element.name_span(attribute)
-                self._add(PARAMETER, attribute, place, element, macro, owner=own)
+                self.found.append(Name(PARAMETER, attribute, place, element, macro, owner=own))
 
     def _take_parameters(self, macro: Element) -> None:
         text = format_value(macro.attributes.get("params", ""))
@@ -156,24 +158,7 @@ class XacroNames:
             if name:
                 start = each.start + len(each.name) - len(name)
                 span = stretch(whole, text, start, start + len(name))
-                self._add(PARAMETER, name, span, macro, macro, is_definition=True)
-
-    def _add(
-        self,
-        kind: str,
-        name: str,
-        span: Span,
-        element: Element,
-        macro: Element | None,
-        *,
-        is_definition: bool = False,
-        owner: str = "",
-        space: str = "",
-    ) -> None:
-        self.found.append(
-            Name(kind, name, span, element, macro, is_definition=is_definition, owner=owner,
-                 space=space)
-        )  # fmt: skip
+                self.found.append(Name(PARAMETER, name, span, macro, macro, is_definition=True))
 
     # --- what is computed -------------------------------------------------------------------
 
@@ -212,7 +197,7 @@ class XacroNames:
             for name, space, at, is_argument in _names_in(text):
                 own = ARGUMENT if is_argument else PROPERTY
                 where = place.span(start + 2 + at, start + 2 + at + len(name))
-                self._add(own, name, where, element, macro, space=space)
+                self.found.append(Name(own, name, where, element, macro, space=space))
             return
         command = _COMMAND.match(text)
         if command is None:
@@ -221,11 +206,11 @@ class XacroNames:
         if command[1] == "eval":
             for name, _, at, _ in _names_in(command[2]):
                 where = place.span(after + at, after + at + len(name))
-                self._add(ARGUMENT, name, where, element, macro)
+                self.found.append(Name(ARGUMENT, name, where, element, macro))
             return
         name = command[2].strip()
         own = ARGUMENT if command[1] == "arg" else PACKAGE
-        self._add(own, name, place.span(after, after + len(name)), element, macro)
+        self.found.append(Name(own, name, place.span(after, after + len(name)), element, macro))
 
 
 _CALLED = ("xacro:call", "macro")

@@ -242,8 +242,6 @@ def _key(name: Name) -> tuple[str, int]:
 
 
 def _group(name: Name) -> str:
-    if name.kind in (LINK, JOINT, BODY):
-        return BODY if name.kind == BODY else name.kind
     return PROPERTY if name.kind == PARAMETER else name.kind
 
 
