@@ -43,6 +43,7 @@ TESTED_ELSEWHERE = {
     "output-differs": "tools/test_test.py",
     "sweep-differs": "tools/sweep/test_running.py",
     "sweep-engine": "tools/sweep/test_engines.py",
+    "unknown-package": "runtime/test_details.py",
     "unknown-metric": "tools/sweep/test_evaluation.py",
     "variant-crash": "tools/sweep/test_isolation.py",
     "variant-exit": "tools/sweep/test_isolation.py",
