@@ -366,6 +366,7 @@ def _source_reader(request: Request) -> ReadSource:
             limits=request.options.policy.limits,
             reporter=request.reporter,
             model=request.options.model,
+            is_main=root.span.source is request.source,
         )
         return read_source(root, host)
 

@@ -22,11 +22,12 @@ class Host:
         source: the main file.
         limits: how much the reader may use.
         model: the name of the model that is wanted of a file with several; None for the first.
+        is_main: whether the file is built, and not included or attached.
         reporter: takes warnings.
         finder: finds the files of meshes and textures.
     """
 
-    __slots__ = ("_read", "finder", "limits", "model", "reporter", "source")
+    __slots__ = ("_read", "finder", "is_main", "limits", "model", "reporter", "source")
 
     def __init__(
         self,
@@ -37,11 +38,13 @@ class Host:
         limits: Limits,
         reporter: Reporter,
         model: str | None = None,
+        is_main: bool = True,
     ) -> None:
         self.source = source
         self.finder = finder
         self.limits = limits
         self.model = model
+        self.is_main = is_main
         self.reporter = reporter
         self._read = read
 

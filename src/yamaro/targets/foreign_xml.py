@@ -296,7 +296,7 @@ def _what(robot: Robot, raw: RawXml, element: Element, title: str, known: Collec
     is_detail = name in known or (raw.joint in robot.actuators and raw.joint is not None)
     is_detail |= element.name == "joint" and "joint1" in element.attributes
     is_detail |= element.name == "key" and name in robot.states
-    is_detail |= element.name == "sensor" and name in robot.sensors
+    is_detail |= element.name in ("sensor", "camera") and name in robot.sensors
     is_detail |= element.name == "axis" and raw.joint is not None
     word = f"{title}'s <{element.name}>"
     return f"details of {word}" if is_detail else f"{word} elements"

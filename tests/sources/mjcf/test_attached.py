@@ -34,7 +34,7 @@ LEG = """
     <actuatorfrc name="effort" actuator="knee"/>
   </sensor>
   <keyframe>
-    <key name="home" qpos="0 0 0.7 1 0 0 0 0.4"/>
+    <key name="home" qpos="0 0 0.7 1 0 0 0 0.4" ctrl="0.3" time="1.5"/>
     <key name="fast" qvel="0 0 0 0 0 0 1"/>
   </keyframe>
 </mujoco>
@@ -100,10 +100,16 @@ def test_an_attached_robot_does_not_decide_for_the_whole(compiled) -> None:
     assert both.opt.integrator == 3  # as without what is attached: mjINT_IMPLICITFAST
     lost = {(each.what, each.owner) for each in build.losses}
     assert ("settings of attached robots", "'timestep' of <option>") in lost
-    assert ("keyframes of other joints", "'fast'") in lost
-    names = [both.key(i).name for i in range(both.nkey)]
-    assert names == ["home"]
-    assert both.key("home").qpos == pytest.approx([0.4, 0.4])
+    assert not any("keyframe" in what for what, _ in lost)
+    assert [both.key(i).name for i in range(both.nkey)] == ["home", "fast"]
+
+
+def test_keyframes_of_one_name_are_one_with_the_numbers_of_each_copy(compiled) -> None:
+    both, _, _ = compiled
+    home, fast = both.key("home"), both.key("fast")
+    assert home.qpos == pytest.approx([0.4, 0.4])
+    assert (home.ctrl, home.time) == (pytest.approx([0.3, 0.3]), 1.5)
+    assert fast.qvel == pytest.approx([1, 1])  # without the six of the free base
 
 
 def test_attached_documents_are_merged_as_mujoco_does(tmp_path) -> None:

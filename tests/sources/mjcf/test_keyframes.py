@@ -129,3 +129,47 @@ def test_keyframes_that_mujoco_refuses_are_errors(key: str, message: str, tmp_pa
         yamaro.build(str(tmp_path / "robot.xml"), target="mjcf")
     assert error.value.diagnostics[0].code == "bad-mjcf"
     assert message in error.value.diagnostics[0].message
+
+
+BOX = "geometry: box, scale: 0.1 0.1 0.1, mass: 1"
+PARTLY = """
+<mujoco model="leg"><worldbody>
+  <body name="hip"><freejoint/><geom size="0.1"/>
+    <body name="foot"><joint type="ball"/><geom size="0.1"/>
+      <body name="toe"><joint name="toe" ref="20"/><geom size="0.1"/></body></body></body>
+  <body name="goal" mocap="true" pos="2 2 2"><geom size="0.1" contype="0"/></body>
+</worldbody>
+<actuator><motor joint="toe"/><general dyntype="integrator" joint="toe"/></actuator>
+<keyframe>
+  <key name="home" time="2" qpos="0 0 7 0 1 0 0  0 1 0 0  0.5" ctrl="3 4" act="5" mpos="1 2 3"/>
+  <key qpos="0 0 8 0 1 0 0  0 0 1 0  0.6"/>
+</keyframe></mujoco>
+"""
+
+
+def test_keyframes_of_an_included_robot_find_their_joints_among_others(tmp_path) -> None:
+    mujoco = oracles.require_module("mujoco")
+    (tmp_path / "leg.xml").write_text(PARTLY, encoding="utf-8")
+    part = "{name: arm, joint: {type: continuous, parent: hip, axis: x}, link: {mass: 1}}"
+    (tmp_path / "robot.yaml").write_text(
+        f"robot: r\nmodel:\n- include: leg.xml\n- part: {part.replace('mass: 1', BOX)}\n",
+        encoding="utf-8",
+    )
+    build = yamaro.build(tmp_path / "robot.yaml", target="mjcf")
+    model = mujoco.MjModel.from_xml_string(build.xml())
+    order = [model.joint(i).name for i in range(model.njnt)]
+    arm = model.joint("arm_joint").qposadr[0]
+    assert order.index("toe") + 1 == order.index("arm_joint") == 3
+    assert arm == 12
+    home, other = model.key("home"), model.key(1)
+    assert home.qpos == pytest.approx([0, 0, 7, 0, 1, 0, 0, 0, 1, 0, 0, 0.5, 0])
+    assert (home.ctrl.tolist(), home.act.tolist(), home.time[0]) == ([3, 4], [5], 2)
+    assert home.mpos.tolist() == [1, 2, 3]
+    assert other.qpos == pytest.approx([0, 0, 8, 0, 1, 0, 0, 0, 0, 1, 0, 0.6, 0])
+    alone = yamaro.build(tmp_path / "leg.xml", target="mjcf").xml()
+    assert mujoco.MjModel.from_xml_string(alone).key("home").ctrl.tolist() == [3, 4]
+    (tmp_path / "held.yaml").write_text(
+        "robot: r\nmodel:\n- part: {name: beam, link}\n- attach: {path: leg.xml, to: beam}\n"
+    )
+    build = yamaro.build(tmp_path / "held.yaml", target="mjcf", on_message=lambda line: None)
+    assert "'mocap' of bodies that are not in the world" in {each.what for each in build.losses}

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from math import atan, pi, radians
+from math import atan, degrees, pi, radians
 from pathlib import Path
 
 import pytest
 
 import yamaro
+from tests.consumers import oracles
 from tests.sources.mjcf.compiled import assert_same, robot_of
 from yamaro import Robot, YamaroError
 from yamaro.model.extras import Camera, Ranger
@@ -348,6 +349,41 @@ def test_cameras_and_distances_look_along_x(tmp_path) -> None:
     frame = robot.poses({})[far.frame]
     assert (frame @ far.pose).apply((1, 0, 0)) == pytest.approx((1, 0, 0), abs=1e-12)
     assert far.details.range == (0.0, 7.0)
+
+
+LENSES = {
+    "metres": 'focal="0.005 0.005"',
+    "pixels": 'focal="1 1" focalpixel="500 500"',
+    "of a class": 'class="lens"',
+    "oblong pixels": 'focal="0.005 0.006"',
+    "off the middle": 'focal="0.005 0.005" principalpixel="10 0"',
+}
+
+
+def test_cameras_with_a_focal_length_see_what_they_see_in_mujoco(tmp_path) -> None:
+    mujoco = oracles.require_module("mujoco")
+    lens = 'resolution="640 480" sensorsize="0.0064 0.0048"'
+    cameras = "".join(f'<camera name="{name}" {lens} {LENSES[name]}/>' for name in LENSES)
+    text = (
+        '<mujoco><default><default class="lens"><camera focal="0.007 0.007"/></default></default>'
+        f'<worldbody><body name="b"><geom size="0.1"/>{cameras}</body></worldbody></mujoco>'
+    )
+    path = saved(tmp_path, text)
+    assert_same(path)
+    source = mujoco.MjModel.from_xml_path(str(path))
+    robot = Robot.from_mjcf(path)
+    for name in LENSES:
+        camera, details = source.camera(name), robot.sensors[name].details
+        assert isinstance(details, Camera)
+        across = source.cam_sensorsize[camera.id][0] / 2 / source.cam_intrinsic[camera.id][0]
+        assert details.fov == pytest.approx(2 * atan(across), rel=1e-6)  # of floats of 32 bits
+        if name != "oblong pixels":  # one angle then says what is seen upwards as well
+            up = 2 * atan(across * 480 / 640)
+            assert camera.fovy[0] == pytest.approx(degrees(up), rel=1e-6)
+    lost = yamaro.build(path, target="sdf", on_message=lambda line: None).losses
+    assert {each.owner for each in lost} == {
+        "'oblong pixels' in link 'b'", "'off the middle' in link 'b'"
+    }  # fmt: skip
 
 
 LOOP = """

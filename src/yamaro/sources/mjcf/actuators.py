@@ -235,6 +235,16 @@ class Drives:
             raise unknown("joint", named[0], joints, named[1])
         return Drive(thing, law, named[0]) if joints[named[0]] in ("hinge", "slide") else None
 
+    def name_all(self) -> None:
+        """Name the actuators without a name: like the joint, or the word, with a number."""
+        taken = {thing.name for thing, _ in self.all}
+        for thing, drive in self.all:
+            if not thing.name:
+                stem = drive.joint if drive is not None else thing.kind
+                names = (f"{stem}_{number}" for number in range(2, len(taken) + 2))
+                thing.name = next(each for each in (stem, *names) if each not in taken)
+                taken.add(thing.name)
+
     def of(self, joint: str) -> list[Drive]:
         """Return the actuators of a joint."""
         return self._by_joint.get(joint, [])
@@ -259,12 +269,13 @@ class Drives:
             room: its limits, or None.
             effort: the greatest effort that its limit says, or None.
         """
-        found = []
-        for drive in self.of(joint):
+        found: list[Element] = []
+        drives = self.of(joint)
+        for drive in drives:
             element = kept(drive.thing, without=("joint",))
-            if drive.is_noted:
+            if drive.is_noted and not found:  # the first is that which the note makes
                 _leave_out(element, drive, room, effort)
-                if not element.attributes and not element.children:
+                if len(drives) == 1 and not element.attributes and not element.children:
                     continue
             found.append(element)
         return found

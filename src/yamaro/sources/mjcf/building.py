@@ -17,6 +17,7 @@ from .assets import Assets
 from .blocks import block, kept, quaternion, row, setting
 from .compiler import fault, number, numbers
 from .inertia import Mass, mass_of, scaled
+from .keyframes import SECTION as KEYFRAMES
 from .meshes import UnknownMassError
 from .sections import add_sections, read_mimics
 from .shapes import OF_MESHES, Geom
@@ -119,6 +120,8 @@ class Builder:
         self.has_world = self._needs_world()
         kinds, refs = joint_kinds(world)
         self.drives = Drives(contexts, kinds)
+        if not host.is_main and any(each.inside(KEYFRAMES) for each in documents):
+            self.drives.name_all()  # by which the keyframes say their controls
         driven = {name for name in kinds if self.drives.noted(name) is not None}
         self.mimics, self.equalities = read_mimics(contexts, kinds, refs, driven)
         self.armatures: dict[str, tuple[str, Span]] = {}

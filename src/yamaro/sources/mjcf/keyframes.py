@@ -10,7 +10,7 @@ from ...diagnostics import failure
 from ...model import making
 from ...model.making import Place
 from ...model.pose import UNTURNED, quaternion_from_rotation
-from ...xml.tree import SAID
+from ...xml.tree import SAID, Element
 from .actuators import Drives
 from .blocks import kept
 from .compiler import fault, number, numbers
@@ -18,9 +18,8 @@ from .tree import Context, Reader, joint_kinds, type_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
+    from collections.abc import Container, Iterable, Iterator
 
-    from ...xml.tree import Element
     from .building import Builder
     from .tree import Body, Placed, Thing
 
@@ -163,7 +162,9 @@ def keyframes(builder: Builder) -> Iterator[Element]:
                 if name in own.by_name:
                     _spread(context, thing, name, whole.by_name[name], own.by_name[name])
         element = kept(thing)
-        add_state(builder, context, thing, element, whole)
+        stated = add_state(builder, context, thing, element, whole)
+        if not builder.host.is_main and whole.is_known and own.is_known:
+            _say_by_names(builder, thing, element, whole, stated)
         yield element
 
 
@@ -211,8 +212,10 @@ def _spread(context: Context, thing: Thing, name: str, whole: Row, own: Row) -> 
     thing.given[name] = (" ".join(map(repr, found)), span)
 
 
-def add_state(builder: Builder, context: Context, key: Thing, element: Element, rows: Rows) -> None:
-    """Note the positions of joints in a keyframe, as far as limits allow them.
+def add_state(
+    builder: Builder, context: Context, key: Thing, element: Element, rows: Rows
+) -> set[str]:
+    """Note the positions of joints in a keyframe, as far as limits allow them; return the joints.
 
     Those of an attached document are the positions of its joints.
 
@@ -226,7 +229,7 @@ def add_state(builder: Builder, context: Context, key: Thing, element: Element, 
     row = numbers(key.given, QPOS, 0, 1 << 20)
     whole = rows.by_name[QPOS]
     if row is None or not key.name or len(row) != len(whole.rest):
-        return
+        return set()
     place = Place(key.span, {"name": key.name_span})
     at = Place(key.span, {"value": key.given[QPOS][1], "joint": key.name_span})
     children: list[Element] = []
@@ -249,3 +252,46 @@ def add_state(builder: Builder, context: Context, key: Thing, element: Element, 
         builder.rest.append(making.note("state", place, {"name": key.name}, children))
         if is_said:
             element.body = SAID
+    return {str(each.attributes["joint"]) for each in children}
+
+
+def _say_by_names(
+    builder: Builder, key: Thing, element: Element, rows: Rows, stated: Container[str]
+) -> None:
+    """Let a keyframe of what is a part of a robot say its numbers by the names of what has them.
+
+    Positions that its state has are left out, and what rests.
+    """
+    found: dict[tuple[str, str], dict[str, str]] = {}
+    given = {
+        name: values
+        for name in rows.by_name
+        if (values := numbers(key.given, name, 0, 1 << 20)) is not None
+    }
+
+    def say(attribute: str, spot: Spot, home: tuple[str, str]) -> None:
+        start, width = rows.by_name[attribute].slots[spot]
+        values = given[attribute][start : start + width]
+        if len(values) == width and (any(values) or attribute in (QPOS, CTRL)):
+            found.setdefault(home, {})[attribute] = " ".join(map(repr, values))
+
+    for body in builder.world.iter():
+        for joint in body.joints:
+            kind = type_of(joint)
+            name = builder.joint_names.get(id(joint)) or joint.name
+            by_body = kind == "free" or not name
+            home = ("body", body.name) if by_body else ("joint", name)
+            if QPOS in given and name not in stated:
+                say(QPOS, joint.spot, home)
+            if QVEL in given:
+                say(QVEL, joint.spot, home)
+        for attribute in (MPOS, MQUAT):
+            if attribute in given and body.thing.spot in rows.by_name[attribute].slots:
+                say(attribute, body.thing.spot, ("body", body.name))
+    for thing, _ in builder.drives.all:
+        for attribute in given.keys() & {CTRL, ACT}:
+            say(attribute, thing.spot, ("actuator", thing.name))
+    for name in given:
+        del element.attributes[name]
+    for (kind, name), said in found.items():
+        element.children.append(Element(kind, element.span, {"name": name, **said}))

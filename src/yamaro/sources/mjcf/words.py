@@ -5,7 +5,7 @@ MJCF has them whole in blocks beside that, so the notes say which format they co
 
 from __future__ import annotations
 
-from math import atan, radians, tan
+from math import atan, isclose, radians, tan
 
 from ...model import making
 from ...model.making import Place
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from ...model.making import Value
     from ...source import Span
     from .building import Builder
+    from .classes import Given
     from .tree import Placed, Thing
 
 T_CAMERA_SENSOR = Pose(((0.0, -1.0, 0.0), (0.0, 0.0, 1.0), (-1.0, 0.0, 0.0)))
@@ -30,8 +31,10 @@ T_SITE_SENSOR = Pose(((0.0, 0.0, -1.0), (0.0, 1.0, 0.0), (1.0, 0.0, 0.0)))
 MOST_RANGE = 100.0
 """In m: the greatest distance of a sensor that has none."""
 _OF_CAMERA = frozenset(
-    """pos quat euler axisangle xyaxes zaxis fovy resolution mode projection""".split()
+    """pos quat euler axisangle xyaxes zaxis fovy resolution mode projection sensorsize focal
+    focalpixel""".split()
 )
+"""What a camera of the model holds; not that its centre is off, or its pixels are not square."""
 IMU = {"accelerometer": "linear_acceleration", "gyro": "angular_velocity"}
 WRENCH = ("force", "torque")
 RANGE = "range"
@@ -51,23 +54,46 @@ def add_camera(builder: Builder, link: str, thing: Placed, element: Element) -> 
     given = thing.given
     size = numbers(given, "resolution", 2) or [1.0, 1.0]
     is_still = thing.text("mode") in (None, "fixed") and thing.text("projection") != "orthographic"
-    if min(size) <= 1 or not is_still or not thing.name or "sensorsize" in given:
+    if min(size) <= 1 or not is_still or not thing.name:
         return
+    tangents = _half_angles(given, size)
+    if tangents is None:
+        return
+    across, up = tangents
     pose = thing.context.compiler.pose(given)
     pose = (pose if thing.pose is IDENTITY else thing.pose @ pose) @ T_CAMERA_SENSOR
-    angle = radians(number(given, "fovy", 45.0))
     values: dict[str, Value] = {
         "type": "camera",
         "link": link,
         "frame": link,
         **_pose(pose),
-        "fov": 2 * atan(tan(angle / 2) * size[0] / size[1]),
+        "fov": 2 * atan(across),
         "size": (size[0], size[1]),
         "optical_frame": "",
     }
-    places = {"fov": thing.where("fovy"), "size": thing.where("resolution")}
-    parts = [(thing, element)] if given.keys() <= _OF_CAMERA else []
+    lens = next((each for each in ("focalpixel", "focal", "fovy") if each in given), "fovy")
+    places = {"fov": thing.where(lens), "size": thing.where("resolution")}
+    is_square = isclose(across * size[1], up * size[0], rel_tol=1e-9)
+    parts = [(thing, element)] if is_square and given.keys() <= _OF_CAMERA else []
     _add(builder, thing, thing.name, parts, values, places)
+
+
+def _half_angles(given: Given, size: Sequence[float]) -> tuple[float, float] | None:
+    """Return the tangents of half the angles that a camera sees across and up.
+
+    MuJoCo takes half the size of the sensor over the focal length, and that in pixels before that
+    in metres. None if the camera has no focal length, for which MuJoCo takes half a turn.
+    """
+    sensor = numbers(given, "sensorsize", 2)
+    if sensor is None or min(sensor) <= 0:
+        up = tan(radians(number(given, "fovy", 45.0)) / 2)
+        return (up * size[0] / size[1], up) if up > 0 else None
+    metres = numbers(given, "focal", 2) or [0.0, 0.0]
+    pixels = numbers(given, "focalpixel", 2) or [0.0, 0.0]
+    lengths = [pixels[i] * sensor[i] / size[i] if pixels[i] else metres[i] for i in (0, 1)]
+    if min(lengths) <= 0:
+        return None
+    return sensor[0] / 2 / lengths[0], sensor[1] / 2 / lengths[1]
 
 
 def _pose(pose: Pose) -> dict[str, Value]:

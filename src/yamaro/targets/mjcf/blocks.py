@@ -204,6 +204,8 @@ def merge(own: Element, given: Element) -> None:
     spans.update((name, given.value_span(name)) for name in given.attributes)
     own.attributes = {**own.attributes, **given.attributes}
     own.value_spans = spans
+    if "sensorsize" in given.attributes:  # with the focal length, it is the angle of a camera
+        own.attributes.pop("fovy", None)
     inner = {child.name: child for child in own.elements()}
     for child in given.elements():
         if own.name in SINGLES:

@@ -1,4 +1,4 @@
-"""Actuators, and keyframes: what drives the joints, and where they rest.
+"""Actuators: what drives the joints.
 
 Controls, gains and forces are those of the joint: a gear acts by the armature alone.
 
@@ -14,29 +14,22 @@ from __future__ import annotations
 from math import ceil, inf
 
 from ...model.joint import SINGLE
-from ...model.kinematics import joint_positions, link_poses
-from ...model.pose import IDENTITY
-from ...model.positions import HOME, positions_in
 from ...model.values import attribute_text, numbers_of
 from ..elements import element
 from ..gains import EFFORT, POSITION, TIME_STEP, VELOCITY, Gains
 from ..holding import lost_lines, lost_of_actuator, lost_values
-from .blocks import merged, names
-from .joints import effort_of, numbers_at, range_of
-from .model import ACTUATOR, JOINTS, Writing
-from .scene import heights_at
+from .joints import effort_of, range_of
+from .model import ACTUATOR, Writing
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ...model.extras import Actuator, State
+    from ...model.extras import Actuator
     from ...model.joint import Joint
     from ...source import Span
     from ...xml.tree import Element
     from ..elements import Attributes
 
 WORDS = {POSITION: "position", VELOCITY: "velocity", EFFORT: "motor"}
-WITH_STATE = frozenset(("intvelocity", "muscle", "cylinder"))
-"""The words for actuators that have a state of their own."""
 SOURCES = {
     "joint": "joint",
     "kp": "kp",
@@ -238,99 +231,3 @@ def _greatest_force(actuator: Element) -> float:
         gain = (*numbers_of(actuator, "gainprm"), 1.0)[0]
         return gear * abs(gain) * max(map(abs, ends))
     return inf
-
-
-# --- keyframes: the robot's states, and where it rests if it says nothing of `home` -----------
-
-
-def add_keyframes(writing: Writing) -> None:
-    """Append a keyframe for each state, `home` first, and those of blocks.
-
-    Those are for the joints of the file: where others have joined them, they do not fit.
-    """
-    bodies = list(writing.sections["worldbody"].iter())
-    joints = [each for each in bodies if each.name in JOINTS]
-    order = [str(each.attributes.get("name")) for each in joints]
-    blocks = writing.blocks
-    states = dict(writing.robot.states)
-    given = {attribute_text(each, "name"): each for each in blocks.in_section("keyframe")}
-    home = states.pop(HOME, None)
-    if order and writing.motions.keys() >= set(order):
-        if home is not None or not (blocks.is_whole or blocks.has("keyframe")):
-            add_key(writing, HOME, home, order)
-        for name, state in states.items():
-            add_key(writing, name, state, order)
-    elif order:  # of joints that the file has for MJCF alone
-        for state in writing.robot.states.values():
-            if state.name not in given:
-                what = "states of robots with joints of their own in MJCF"
-                writing.losses.lose(what, state, label=f"'{state.name}'")
-    actuators = writing.sections["actuator"].elements()
-    mocaps = sum(attribute_text(each, "mocap") == "true" for each in bodies)
-    sizes = {
-        "qpos": sum(_width(joint, free=7, ball=4) for joint in joints),
-        "qvel": sum(_width(joint, free=6, ball=3) for joint in joints),
-        "ctrl": len(actuators),
-        "act": sum(map(_states, actuators)),
-        "mpos": 3 * mocaps,
-        "mquat": 4 * mocaps,
-    }
-    keys = writing.sections["keyframe"]
-    fitting: list[Element] = []
-    for each in blocks.in_section("keyframe"):
-        own = attribute_text(each, "name")
-        wrong = [
-            name
-            for name, size in sizes.items()
-            if name in each.attributes and len(numbers_of(each, name)) != size
-        ]
-        is_double = own is not None and any(attribute_text(e, "name") == own for e in fitting)
-        if wrong or is_double:
-            what = "keyframes of other joints" if wrong else "further keyframes of one name"
-            trace = each.trace_within(None)
-            writing.losses.lose_xml(what, each, label=f"'{own or ''}'", trace=trace)
-            continue
-        if "qpos" in each.attributes:  # it is whole
-            rest = [key for key in keys.elements() if attribute_text(key, "name") != own]
-            keys.children = [*rest] if own is not None else keys.children
-        fitting.append(each)
-    keys.children = merged(keys.children, fitting, names)
-
-
-def _width(joint: Element, *, free: int, ball: int) -> int:
-    """Return how many numbers of a row a joint has."""
-    kind = "free" if joint.name == "freejoint" else attribute_text(joint, "type")
-    return {"free": free, "ball": ball}.get(kind or "", 1)
-
-
-def _states(actuator: Element) -> int:
-    """Return how many numbers of its own state an actuator has, as far as its file says it."""
-    is_filter = attribute_text(actuator, "dyntype") not in (None, "none")
-    if actuator.name in WITH_STATE or is_filter or "timeconst" in actuator.attributes:
-        return int((numbers_of(actuator, "actdim") or (1,))[0])
-    return 0
-
-
-def add_key(writing: Writing, name: str, state: State | None, order: list[str]) -> None:
-    """Append a keyframe: a number for each of `qpos`, and for each actuator, also for others."""
-    given = positions_in(writing.robot, state)
-    positions = joint_positions(writing.robot, given)
-    heights = heights_at(writing, link_poses(writing.robot, given))
-    numbers: list[float] = []
-    for joint in order:
-        source, part = writing.motions[joint]
-        origin, known = IDENTITY, writing.robot.joints.get(source)
-        if known is not None and known.parent in writing.plan.static:
-            origin = writing.plan.static[known.parent] @ known.origin
-        found = numbers_at(part, positions.get(source, 0.0), origin)
-        if part in ("base", "free"):
-            link = source if part == "base" else writing.robot.joints[source].child
-            found[2] += heights.get(link, 0.0)
-        numbers += found
-    controls = []
-    for each in writing.sections["actuator"].elements():
-        joint, command = writing.controls.get(id(each), ("", ""))
-        target = positions.get(joint) if command == POSITION else None
-        controls.append(target if isinstance(target, float) else 0.0)
-    attributes: Attributes = {"name": name, "qpos": numbers, "ctrl": controls or None}
-    writing.add("keyframe", element("key", attributes, owner=state or writing.robot.element))

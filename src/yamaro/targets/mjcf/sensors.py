@@ -100,7 +100,8 @@ def _in_link(writing: Writing, sensor: Sensor) -> None:
         }
         places = {"fovy": sensor.span_of("fov"), "resolution": sensor.span_of("size")}
         _place(writing, sensor, element("camera", attributes, owner=sensor, places=places))
-        writing.losses.lose("clip distances of cameras", sensor, field="clip")
+        if "clip" in sensor.element.attributes:
+            writing.losses.lose("clip distances of cameras", sensor, field="clip")
     elif isinstance(details, Lidar):
         _lidar(writing, sensor, details)
     elif isinstance(details, Ranger):

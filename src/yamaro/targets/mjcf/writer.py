@@ -26,7 +26,8 @@ from .blocks import (
     set_from,
 )
 from .constraints import add_excludes, add_loops, add_mimics
-from .control import add_actuators, add_keyframes, leave_out_bounds
+from .control import add_actuators, leave_out_bounds
+from .keyframes import add_keyframes
 from .links import add_bodies, put_on_floor, sort_bodies
 from .model import Writing, pose_attributes
 from .scene import scene
@@ -209,6 +210,10 @@ def _merge_link(writing: Writing, link: Link) -> None:
         sites = [each for each in body.elements() if each.name == "site"]
         target = next(each for each in sites if each.attributes["name"] == name)
     set_from(target, settings)
+    if "mocap" in settings and plan.parent_and_pose(link)[0] is not None and not is_site:
+        del target.attributes["mocap"]
+        what, label = "'mocap' of bodies that are not in the world", f"link '{link.name}'"
+        writing.losses.lose_xml(what, settings["mocap"], label=label, trace=None)
     if is_site and target.attributes["name"] == "":
         del target.attributes["name"]
     if is_site:

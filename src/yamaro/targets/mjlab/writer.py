@@ -15,8 +15,7 @@ from ...xml.writer import write as write_xml
 from ..gains import POSITION, VELOCITY
 from ..interface.orders import QUATERNION, UnknownOrderError, in_mujoco
 from ..losses import Losses
-from ..mjcf.control import add_key
-from ..mjcf.model import JOINTS
+from ..mjcf.keyframes import Rows, add_key
 from ..mjcf.writer import document, modelled
 from ..output import FOLDER, MARK, Output
 from ..training import (
@@ -93,10 +92,10 @@ def _home(writing: Writing) -> Element | None:
     """
     keys = writing.sections["keyframe"]
     known = {each.attributes.get("name"): each for each in keys.elements()}
-    bodies = writing.sections["worldbody"].iter()
-    order = [str(each.attributes.get("name")) for each in bodies if each.name in JOINTS]
-    if HOME not in known and order and writing.motions.keys() >= set(order):
-        add_key(writing, HOME, writing.robot.states.get(HOME), order)
+    rows = Rows(writing)
+    order = {str(each.attributes.get("name")) for each in rows.joints}
+    if HOME not in known and order and writing.motions.keys() >= order:
+        add_key(writing, HOME, writing.robot.states.get(HOME), rows)
         known[HOME] = keys.elements()[-1]
     return known.get(HOME)
 
