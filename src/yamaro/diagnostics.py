@@ -400,11 +400,17 @@ def unknown_word(
     *,
     hint: str,
     trace: Frame | None = None,
+    near: str | None = None,
 ) -> YamaroError:
     """Return the error for a word that the language does not have at this place.
 
-    Of the words that it has there, the nearest is suggested; `hint` says what to write if none is
-    near. The rest is as for `failure`.
+    Of the words that it has there, `near` is suggested, or else the nearest; `hint` says what to
+    write if there is none. The rest is as for `failure`.
     """
-    near, fix = meant_word(word, words, span)
-    return failure(code, message, span, hint=near or hint, trace=trace, fix=fix)
+    if near is None:
+        said, fix = meant_word(word, words, span)
+    else:
+        from .fixes import respelling
+
+        said, fix = f"did you mean '{near}'?", respelling(span, word, near, is_safe=True)
+    return failure(code, message, span, hint=said or hint, trace=trace, fix=fix)

@@ -35,6 +35,15 @@ PARENTS = {
     "geometry": "a visual or collision",
     "material": "a visual",
 }
+LISTS = {
+    "links": "there is no list of links: write each as `link/name=NAME:`, or with its joint as "
+    "`part:`",
+    "joints": "there is no list of joints: write each as `joint/name=NAME, type=TYPE:`, or with "
+    "its link as `part:`",
+    "materials": "there is no list of materials: write each as `material/name=NAME:`",
+    "parts": "there is no list of parts: write each as `part:`",
+}
+"""Lists that other languages have directly under a robot, and what to write instead."""
 
 
 def check_outermost(child: Element, context: CheckContext) -> None:
@@ -54,6 +63,19 @@ def check_outermost(child: Element, context: CheckContext) -> None:
             f"'{name}' is an element of {OTHER_FORMATS[name]}; parsers of URDF ignore it",
             child,
             hint="describe links and joints in URDF, or use the file where its format is read",
+        )
+        return
+    # A robot that has links may have such elements for programs of its own.
+    if (name in LISTS or name == "name") and not any(
+        each.name == "link" for each in context.root.elements()
+    ):
+        context.report(
+            "unknown-element",
+            f"URDF has no element '{name}', so parsers ignore it",
+            child,
+            hint=LISTS.get(
+                name, f"in URDF it is an attribute: `robot/name={child.text().strip()}:`"
+            ),
         )
         return
     near = _near_outermost(child)

@@ -216,8 +216,10 @@ def _entries_of_known(lowering: Lowering, motor: Element, name: Text) -> list[El
             name.span,
             spelled(word),
             MOTORS,
-            hint=f"write what you know of it: {MOTOR}: {{rotor_inertia: …, gear: …}}",
+            hint=f"write what you know of it: {MOTOR}: {{rotor_inertia: …, gear: …}}, "
+            "or a motor of the catalogue, such as xm430_w350",
             trace=motor.trace,
+            near=next((each for each in MOTORS if each.startswith(spelled(word) + "_")), None),
         )
     if lowering.joint_type == PRISMATIC:
         raise failure(

@@ -17,7 +17,7 @@ from ..model.schema import (
 from ..model.schema import SENSOR as ANY_SENSOR
 from ..xml.tree import Element, RawBlock, RobotNote, Text
 from ..xml.values import Numbers, format_value
-from .fields import FRAME, POSE_ROWS, SENSOR, read_value, sort_fields, word_of
+from .fields import FRAME, POSE_ROWS, SENSOR, other_word, read_value, sort_fields, word_of
 from .notes import check_keys, given_once, refuse_attributes, with_entries
 from .numbers import read_numbers
 from .pose import ZERO_ROW, Pose, origin_element, read_pose
@@ -187,27 +187,34 @@ def _kind(word: Element, keys: dict[str, Element], types: Mapping[str, Thing]) -
 def _check_keys(keys: dict[str, Element], kind: str, types: Mapping[str, Thing]) -> None:
     own, common = types[kind].fields, ANY_SENSOR.fields
     known = (*common, *POSE_ROWS, "frame", *own)
+    found = []
     for name, key in keys.items():
         if name in known:
             continue
         others = [other for other, thing in types.items() if name in thing.fields]
-        if others:
-            raise failure(
+        error = (
+            failure(
                 "sensor-key",
                 f"'{name}' is for {' and '.join(others)}, and this is {kind}",
                 key.span,
                 hint=f"{kind} takes {', '.join(own or [*common][1:])}",
                 trace=key.trace,
             )
-        raise unknown_word(
-            "unknown-key",
-            f"'{name}' is not an entry of a sensor",
-            key.span,
-            name,
-            known,
-            hint=f"{kind} takes {', '.join(known)}",
-            trace=key.trace,
+            if others
+            else unknown_word(
+                "unknown-key",
+                f"'{name}' is not an entry of a sensor",
+                key.span,
+                name,
+                known,
+                hint=f"{kind} takes {', '.join(known)}",
+                trace=key.trace,
+                near=other_word(name, known),
+            )
         )
+        found += error.diagnostics
+    if found:
+        raise YamaroError(found)
 
 
 def _refuse_pose(keys: dict[str, Element], reason: str) -> None:
@@ -361,6 +368,8 @@ def name_of_word(word: Element, example: str) -> str:
             )
     name = format_value(word.attributes.get("name")).strip()
     if not name:
+        entry = next((key for key in word.elements() if key.name == "name"), word)
+        example = entry.text().strip() or example
         raise failure(
             "missing-name",
             f"this {word.name} has no name",

@@ -170,9 +170,15 @@ _OF_SECTIONS = {
     **dict.fromkeys(("surface", *sorted(FIT_KEYS), "cover"), _SURFACE_HINT),
     **dict.fromkeys(LIGHTER_KEYS, "it belongs in 'visual:'"),
 }
+_OF_CONTACT = dict.fromkeys(("friction", "restitution"), "write it in 'collision:', in 'surface:'")
+_OF_POSES = {
+    **dict.fromkeys(("pos", "position"), "the position is 'xyz:'"),
+    **dict.fromkeys(("euler", "rotation", "orientation"), "the rotation is 'rpy:', or 'quat:'"),
+}
 HOMES: dict[str, dict[str, str]] = {
     "part": {
         **_OF_SECTIONS,
+        **_OF_POSES,
         **dict.fromkeys((*sorted(SHAPE_KEYS), "mass", "density"), _LINK_HINT),
         **dict.fromkeys(("visual", "collision", "inertial"), _LINK_HINT),
         **dict.fromkeys(("type", "parent", "child", *sorted(RECORDS)), _JOINT_HINT),
@@ -181,8 +187,11 @@ HOMES: dict[str, dict[str, str]] = {
     },
     "joint": {
         **_OF_SECTIONS,
+        **_OF_POSES,
         **dict.fromkeys((*sorted(SHAPE_KEYS), "mass", "density"), _LINK_HINT),
         **dict.fromkeys(("visual", "collision", "inertial", "inertia"), _LINK_HINT),
+        **dict.fromkeys(("kp", "kd", "armature", "gear", "motor"), "it belongs in 'actuator:'"),
+        "frame": _LINK_HINT,
         "name": "write the name beside 'joint:', or as joint/name=…",
         "link": "'link:' belongs beside 'joint:', not in it",
         "joint": "a joint cannot contain a joint",
@@ -195,7 +204,10 @@ HOMES: dict[str, dict[str, str]] = {
     },
     "link": {
         **_OF_SECTIONS,
+        **_OF_POSES,
+        **_OF_CONTACT,
         **dict.fromkeys(("type", "parent", "child", *sorted(RECORDS)), _JOINT_HINT),
+        "actuator": _JOINT_HINT,
         "name": "write the name beside 'link:', or as link/name=…",
         "material": "it belongs in 'visual:'",
         "color": "it belongs in 'visual:'",
@@ -206,6 +218,8 @@ HOMES: dict[str, dict[str, str]] = {
     },
     "section": {
         **_OF_SECTIONS,
+        **_OF_POSES,
+        **_OF_CONTACT,
         **dict.fromkeys(("mass", "density"), "it belongs in 'link:' or in its 'inertial:'"),
         **dict.fromkeys(("type", "parent", "child", *sorted(RECORDS)), _JOINT_HINT),
         **dict.fromkeys(("visual", "collision", "inertial"), "it belongs directly in 'link:'"),
@@ -644,10 +658,7 @@ def refuse_misspelt(record: Record, known: Collection[str]) -> None:
         if name in known or ":" in name or name in REPEATED_MOMENTS:
             continue
         absent = [each for each in known if each not in record.values]
-        near = suggest(name, absent) or suggest(name, known)
-        meant = _OTHER_WORDS.get(name.lower())
-        if meant in known:
-            near = meant
+        near = other_word(name, known) or suggest(name, absent) or suggest(name, known)
         if near is not None:
             span = next(
                 (each.span for each in key.elements() if each.name == name),
@@ -658,16 +669,28 @@ def refuse_misspelt(record: Record, known: Collection[str]) -> None:
         raise YamaroError(found)
 
 
+def other_word(name: str, known: Collection[str]) -> str | None:
+    """Return the entry that other formats call by a name, if it is one of those known."""
+    return next((word for word in _OTHER_WORDS.get(name.lower(), ()) if word in known), None)
+
+
 _OTHER_WORDS = {
-    "min": "lower",
-    "minimum": "lower",
-    "max": "upper",
-    "maximum": "upper",
-    "force": "effort",
-    "torque": "effort",
-    "speed": "velocity",
+    **dict.fromkeys(("min", "minimum", "low"), ("lower",)),
+    **dict.fromkeys(("max", "maximum", "high"), ("upper",)),
+    **dict.fromkeys(("force", "torque"), ("effort",)),
+    "speed": ("velocity",),
+    "accel": ("acceleration",),
+    **dict.fromkeys(("ratio", "mult", "factor"), ("multiplier", "gear")),
+    **dict.fromkeys(("type", "mode", "interface"), ("command",)),
+    **dict.fromkeys(("p", "stiffness"), ("kp",)),
+    **dict.fromkeys(("d", "damping"), ("kd",)),
+    **dict.fromkeys(("mu", "mu1"), ("friction",)),
+    "mu2": ("friction2",),
+    **dict.fromkeys(("frequency", "hz", "fps", "update_rate"), ("rate",)),
+    "samples": ("rays",),
+    "resolution": ("size",),
 }
-"""What other formats call the entries of a limit."""
+"""What other formats call the entries of limits, mimics, actuators, surfaces and sensors."""
 
 
 def misspelt(

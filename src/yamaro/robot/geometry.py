@@ -273,9 +273,14 @@ def _read_shape_word(lowering: Lowering, key: Element) -> tuple[str, str, Span]:
         return "mesh", word, span
     from ..fixes import respelling
 
-    near = suggest(kind, COUNTS)
+    near = _OTHER_SHAPES.get(kind) or suggest(kind, COUNTS)
+    shape, _, sizes = word.partition(" ")
     if near is not None:
         hint = f"did you mean '{near}'?"
+    elif shape.lower() in COUNTS:
+        hint = f"write geometry: {shape}, and scale: {sizes.strip()} beside it"
+    elif kind == "mesh":
+        hint = "write the mesh file itself, such as geometry: meshes/arm.stl"
     elif "." in word or "/" in word:
         endings = " ".join(f".{ending}" for ending in MESH_ENDINGS)
         hint = f"the extensions of mesh files are {endings}"
@@ -290,6 +295,14 @@ def _read_shape_word(lowering: Lowering, key: Element) -> tuple[str, str, Span]:
         trace=key.trace,
         fix=respelling(span, word, near, is_safe=True),
     )
+
+
+_OTHER_SHAPES = {
+    **dict.fromkeys(("cube", "cuboid", "rectangle"), "box"),
+    "ball": "sphere",
+    "tube": "cylinder",
+}
+"""What other formats and people call the shapes."""
 
 
 def _refuse_urdf_form(lowering: Lowering, key: Element) -> None:

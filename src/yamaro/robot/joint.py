@@ -32,6 +32,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from ..diagnostics import Diagnostic
     from ..source import Span
     from ..xml.tree import Node
     from .actuator import Values
@@ -228,16 +229,22 @@ def _lower_record(lowering: Lowering, key: Element) -> Element:
     thing = ELEMENTS[key.name]
     record = read_record(lowering, key, thing.scalar)
     refuse_misspelt(record, thing.fields)
+    faults: list[Diagnostic] = []
     for attribute, value in record.values.items():
         field = thing.fields.get(attribute)
         label = thing.name if attribute == thing.scalar else attribute
-        if field is not None and field.count != TEXT:
-            record.values[attribute] = read_attribute(
-                lowering, record, attribute, count=field.count, name=label, kind=field.kind
-            )
-        else:
-            span = record.span(attribute)
-            record.values[attribute] = word_of(label, value, span, owner=key)
+        try:
+            if field is not None and field.count != TEXT:
+                record.values[attribute] = read_attribute(
+                    lowering, record, attribute, count=field.count, name=label, kind=field.kind
+                )
+            else:
+                span = record.span(attribute)
+                record.values[attribute] = word_of(label, value, span, owner=key)
+        except YamaroError as error:
+            faults += error.diagnostics
+    if faults:
+        raise YamaroError(faults)
     if thing.scalar is not None and thing.scalar not in record.values:
         raise failure(
             "empty-value",
@@ -245,7 +252,7 @@ def _lower_record(lowering: Lowering, key: Element) -> Element:
             key.span,
             hint="write axis: 0 0 1"
             if thing.name == "axis"
-            else "write mimic: with a joint's name",
+            else "write mimic: {joint: NAME, multiplier: 1}",
             trace=key.trace,
         )
     return record.element()

@@ -7,10 +7,10 @@ change the names in it with all others. At the end the notes are taken out.
 
 from __future__ import annotations
 
-from ..diagnostics import failure, unknown_word
+from ..diagnostics import YamaroError, failure, unknown_word
 from ..xml.tree import Comment, Element, RawBlock, RobotNote, Text
 from ..xml.values import LiteralList, format_value
-from .fields import read_value, word_of
+from .fields import other_word, read_value, word_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -46,9 +46,10 @@ def check_keys(word: Element, known: Collection[str], *, hint: str = "") -> None
         known: the names of its entries.
         hint: what to say of an entry that is like none of them; by default which there are.
     """
+    found = []
     for key in word.elements():
         if key.name not in known or key.verbatim:
-            raise unknown_word(
+            found += unknown_word(
                 "unknown-key",
                 f"'{key.name}' is not an entry of `{word.name}`",
                 key.span,
@@ -56,7 +57,10 @@ def check_keys(word: Element, known: Collection[str], *, hint: str = "") -> None
                 known,
                 hint=hint or f"its entries are {', '.join(sorted(known))}",
                 trace=word.trace,
-            )
+                near=other_word(key.name, known),
+            ).diagnostics
+    if found:
+        raise YamaroError(found)
 
 
 def refuse_attributes(word: Element) -> None:
@@ -227,7 +231,11 @@ def with_entries(word: Element) -> Element:
     return word.with_children([*entries])
 
 
-EXAMPLES = {"actuator": "kp: 50, kd: 2", "surface": "friction: 0.8", "sensor": "type: imu"}
+EXAMPLES = {
+    "actuator": "command: position, kp: 50",
+    "surface": "friction: 0.8",
+    "sensor": "type: imu",
+}
 """Entries of words, for hints."""
 
 
@@ -304,6 +312,7 @@ def chosen(word: str, span: Span, key: Element, choices: Sequence[str]) -> str:
         choices,
         hint=f"write {key.name}: {choices[0]}",
         trace=key.trace,
+        near=other_word(word, choices),
     )
 
 

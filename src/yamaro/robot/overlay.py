@@ -8,7 +8,7 @@ was given before, and the overlay: `OverlaidSpan`.
 
 from __future__ import annotations
 
-from ..diagnostics import WARNING, Diagnostic, YamaroError, failure
+from ..diagnostics import WARNING, Diagnostic, YamaroError, failure, unknown_word
 from ..model.joint import CONTINUOUS, PRISMATIC
 from ..model.pose import ZERO, Pose, rotation_about, rotation_from_quaternion, unit_vector
 from ..model.schema import (
@@ -23,7 +23,7 @@ from ..model.schema import (
 from ..source import OverlaidSpan, Span
 from ..xml.tree import Element, OverlaidInclude, RobotNote
 from ..xml.values import Numbers, format_value
-from .fields import read_record, read_value, word_of
+from .fields import other_word, read_record, read_value, word_of
 from .notes import given_once, refuse_attributes
 from .numbers import format_component, read_attribute, read_numbers
 from .rigid import name_of, origin_of, pose_of
@@ -137,9 +137,20 @@ class Overlaid:
             except YamaroError as error:
                 self._absorb(error)
                 continue
+            found: dict[int, Element] = {}
             for key in named.values():
                 try:
                     index = self._find(kind, key)
+                    if index in found:
+                        raise failure(
+                            "given-twice",
+                            f"'{key.name}' and '{found[index].name}' are the same {kind}",
+                            key.span,
+                            hint="put its values under one of the two",
+                            notes=[f"first given at {found[index].span.place()}"],
+                            trace=self.lowering.trace,
+                        )
+                    found[index] = key
                     element = self.robot.children[index]
                     assert isinstance(element, Element)
                     self.robot.children[index] = change(element, key)
@@ -269,7 +280,8 @@ class Overlaid:
             field, span = thing.fields[name], record.span(name)
             label = thing.name if name == thing.scalar else name
             if field.count == TEXT:
-                values[name] = word_of(label, value, span, owner=key), span
+                word = word_of(label, value, span, owner=key)
+                values[name] = self._joint_named(word), span
                 continue
             numbers = read_attribute(
                 self.lowering, record, name, count=field.count, name=label, kind=field.kind
@@ -277,17 +289,24 @@ class Overlaid:
             values[name] = numbers, span
         return values
 
-    def _refuse_entry(self, key: Element, entry: Element, known: Collection[str]) -> None:
-        from ..diagnostics import meant_word
+    def _joint_named(self, name: str) -> str:
+        """Return the joint that a mimic names, without its prefix or by its part."""
+        joints = self._places["joint"]
+        if name in joints:
+            return self.prefix + name
+        part = self.lowering.part_joints.get(self.prefix + name, "")
+        return part if part.removeprefix(self.prefix) in joints else name
 
-        hint, fix = meant_word(entry.name, known, entry.span)
-        raise failure(
+    def _refuse_entry(self, key: Element, entry: Element, known: Collection[str]) -> None:
+        raise unknown_word(
             "unknown-key",
             f"'{entry.name}' is not an entry of '{key.name}'",
             entry.span,
-            hint=hint or f"its entries are {', '.join(known)}",
+            entry.name,
+            known,
+            hint=f"its entries are {', '.join(known)}",
             trace=self.lowering.trace,
-            fix=fix,
+            near=other_word(entry.name, known),
         )
 
     def _set_row(self, owner: Element, key: Element) -> None:

@@ -89,6 +89,10 @@ def _name_hint(key: ScalarNode, name: str) -> str:
                 "the key, so quote such a key or put it on a separate line"
             )
         return "write attributes after a slash: name/attribute=value"
+    if word.lower() == "foreach":
+        return f"write for {rest.strip() or 'i in range(3)'}:"
+    if word.replace(".", "", 1).lstrip("+-").isdecimal():
+        return "the commas of { } and [ ] separate entries: write 1 2 3, or [1, 2, 3]"
     if ")" in name and "(" not in name:
         return "the commas of { } and [ ] split an expression: quote it, or use a separate line"
     if name.startswith("#"):

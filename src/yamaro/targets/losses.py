@@ -192,7 +192,7 @@ def _diagnostic(group: Sequence[Loss], format: str, severity: str) -> Diagnostic
     elif first.kind == APPROXIMATED:
         said = f"{first.what} are approximated in {title}"
         said += f" by {how}" if how else ""
-    others = len(group) - 1
+    others = len({loss.owner for loss in group}) - 1
     count = f" and {others} other{'s' if others > 1 else ''}" if others else ""
     return Diagnostic(
         code_of(first.kind, format),

@@ -122,6 +122,8 @@ def colon_in_key(
 
 
 def _is_closed(text: str) -> bool:
+    if any(text.count(quote) % 2 for quote in "\"'"):
+        return False
     return all(text.count(one) == text.count(other) for one, other in ("()", "[]", "{}"))
 
 
