@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from io import BytesIO
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,7 @@ from yamaro.fitting.lighter import FARTHEST, lighter
 from yamaro.fitting.pieces import MOST_CORNERS, decompose, hull_of
 from yamaro.fitting.quality import quality_of
 from yamaro.fitting.spheres import spheres_of
+from yamaro.meshes.encoding import stl_of
 from yamaro.meshes.formats import MeshFileError
 from yamaro.meshes.triangles import TriangleMesh
 
@@ -25,8 +27,8 @@ def turned(body: Any, seed: int) -> Any:
     random = np.random.default_rng(seed)
     body = body.copy()
     body.apply_transform(trimesh.transformations.random_rotation_matrix(random.random(3)))
-    body.apply_scale(float(10 ** random.uniform(-2, 1)))
     body.apply_translation(random.normal(size=3))
+    body.apply_scale(float(10 ** random.uniform(-2, 1)))
     return body
 
 
@@ -84,6 +86,10 @@ def test_pieces_are_few_convex_and_closed_and_cover_the_mesh(name: str) -> None:
         assert piece.is_watertight
         assert piece.volume == pytest.approx(piece.convex_hull.volume, rel=1e-6)
         assert len(piece.vertices) <= MOST_CORNERS
+    for piece in pieces:  # as it is written, in single precision
+        written = trimesh.load(BytesIO(stl_of(piece)), file_type="stl")
+        assert written.is_watertight
+        assert written.is_convex
     points = np.concatenate([body.vertices, trimesh.sample.sample_surface(body, 2000, seed=1)[0]])
     assert heights_over(pieces, points).max() < 1e-9 * size
     if name in CONCAVE:

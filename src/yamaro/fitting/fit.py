@@ -25,7 +25,7 @@ FIT, DECOMPOSE, SPHERES, TRIANGLES = "fit", "decompose", "spheres", "triangles"
 BEST, HULL = "best", "hull"
 LARGEST_COORDINATE = 1e6
 """In metres: a mesh that reaches farther has no size that makes sense."""
-_VERSION = 2
+_VERSION = 3
 """Changes where the same question gets another answer."""
 
 

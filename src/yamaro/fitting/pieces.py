@@ -14,7 +14,7 @@ from itertools import combinations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy.spatial import ConvexHull, HalfspaceIntersection, QhullError
+from scipy.spatial import ConvexHull, HalfspaceIntersection, QhullError, cKDTree
 
 from ..meshes.formats import MeshFileError
 from ..meshes.triangles import TriangleMesh, is_closed
@@ -44,6 +44,12 @@ PARALLEL = 1e-6
 """The volume that three unit normals span, below which their planes do not meet in one point."""
 HAIR = 1e-6
 """How far outside, by its size, points are on the surface of a solid."""
+NEAR = 1e-6
+"""Corners that are as near as this, by the size of their piece, are one."""
+LOW = (1e-5, 1e-4, 5e-4, 2e-3)
+"""Corners that are not higher above the hull of the others go: the first that is enough."""
+DENT = 4e-6
+"""How far a corner may be above the next triangle in single precision, by the size of a piece."""
 NO_TRIANGLES, NO_POINTS, NO_PLANES = np.empty((0, 3, 3)), np.empty((0, 3)), np.empty((0, 4))
 NO_HEIGHTS = np.empty(0)
 DIGITS = 9
@@ -343,29 +349,91 @@ def simplified(corners: Floats, most: int = MOST_CORNERS) -> Floats:
     It is cut out of a box by planes of faces, each the one that is farthest below the corner that
     is farthest outside. So large faces stay where they are.
     """
-    if len(corners) <= most:
-        return corners
+    size = float(np.ptp(corners, axis=0).max())
+    found = corners
     try:
-        faces = np.unique(np.round(ConvexHull(corners).equations, 12), axis=0)
-        middle = (corners.min(axis=0) + corners.max(axis=0)) / 2
-        middle = (middle + corners.mean(axis=0)) / 2
-        sides = (*np.eye(3), *-np.eye(3))
-        planes = [np.append(side, -(corners @ side).max()) for side in sides]
-        found = corners
-        while True:
-            outer: Floats = HalfspaceIntersection(np.array(planes), middle).intersections
-            outer = outer[ConvexHull(outer).vertices]
-            if len(outer) > most:
-                return found
-            found = outer
-            outside = np.round(outer @ faces[:, :3].T + faces[:, 3], 12)
-            corner = int(outside.max(axis=1).argmax())
-            face = int(outside[corner].argmax())
-            if not outside[corner, face] > 0 or len(planes) > most:
-                return found
-            planes.append(faces[face])
+        if len(corners) > most:
+            found = _cut_out(corners, most, size)
+        for low in LOW:
+            found = _clean(corners, found, size, low)
+            if _dent(_hull_mesh(found)) < DENT * size:
+                break
     except (QhullError, ValueError):  # nearly flat
-        return corners
+        pass
+    return found
+
+
+def _cut_out(corners: Floats, most: int, size: float) -> Floats:
+    faces = np.unique(np.round(ConvexHull(corners).equations, 12), axis=0)
+    middle = (corners.min(axis=0) + corners.max(axis=0)) / 2
+    middle = (middle + corners.mean(axis=0)) / 2
+    sides = (*np.eye(3), *-np.eye(3))
+    planes = [np.append(side, -(corners @ side).max()) for side in sides]
+    found = corners
+    while True:
+        outer: Floats = HalfspaceIntersection(np.array(planes), middle).intersections
+        outer = outer[ConvexHull(outer).vertices]
+        distinct = _distinct(outer, NEAR * size)
+        if len(distinct) > most:
+            return found
+        found = distinct
+        outside = np.round(outer @ faces[:, :3].T + faces[:, 3], 12)
+        corner = int(outside.max(axis=1).argmax())
+        face = int(outside[corner].argmax())
+        if not outside[corner, face] > NEAR * size or len(planes) > 2 * most:
+            return found
+        planes.append(faces[face])
+
+
+def _clean(corners: Floats, outer: Floats, size: float, low: float) -> Floats:
+    """Return corners of a polyhedron around others, without needles, so that single precision does.
+
+    Corners that are near others or hardly above the hull of the others go, and what is left
+    becomes larger by what is missing.
+    """
+    found = _distinct(outer, NEAR * size)
+    hull = ConvexHull(found)
+    order = sorted(hull.vertices)
+    found = found[order]
+    index = 0
+    while index < len(found) > 4:
+        others = np.delete(found, index, axis=0)
+        equations = ConvexHull(others).equations
+        if (equations[:, :3] @ found[index] + equations[:, 3]).max() < low * size:
+            found = others
+        else:
+            index += 1
+    equations = ConvexHull(found).equations
+    middle = found.mean(axis=0)
+    depths = -(equations[:, :3] @ middle + equations[:, 3])
+    missing = (corners @ equations[:, :3].T + equations[:, 3]).max(axis=0)
+    grown = float((np.maximum(missing, 0.0) / depths).max())
+    if grown * size > 1e-12 * size:
+        found = middle + (found - middle) * (1 + grown + 1e-12)
+    return found
+
+
+def _dent(mesh: TriangleMesh) -> float:
+    """Return how far corners are above the plane of a next triangle, in single precision."""
+    points = np.array(mesh.vertices, np.float32).astype(float)
+    triangles = np.array(mesh.triangles)
+    a, b, c = np.moveaxis(points[triangles], 1, 0)
+    normals = np.cross(b - a, c - a)
+    normals /= np.maximum(np.linalg.norm(normals, axis=1), 1e-300)[:, None]
+    owners = {(i, j): row for row, each in enumerate(mesh.triangles)
+              for i, j in zip(each, (*each[1:], each[0]), strict=True)}  # fmt: skip
+    others = [
+        [owners[j, i] for i, j in zip(each, (*each[1:], each[0]), strict=True)]
+        for each in mesh.triangles
+    ]
+    across = points[triangles[np.array(others)]] - a[:, None, None]
+    return float(np.einsum("ijkl,il->ijk", across, normals).max())
+
+
+def _distinct(points: Floats, apart: float) -> Floats:
+    """Return points without those that are near an earlier one."""
+    pairs = cKDTree(points).query_pairs(apart, output_type="ndarray")
+    return np.delete(points, np.unique(pairs.max(axis=1)), axis=0) if len(pairs) else points
 
 
 def _hull_mesh(points: Floats) -> TriangleMesh:
