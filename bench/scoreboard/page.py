@@ -1,7 +1,9 @@
-"""Writes docs/scoreboard.md: a table for each pair of formats, then one for each robot."""
+"""Writes docs/scoreboard.md, a table for each pair of formats, and scoreboard.csv with all rows."""
 
 from __future__ import annotations
 
+import csv
+import io
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from statistics import fmean
@@ -30,34 +32,51 @@ class Row(NamedTuple):
 
 def written(rows: Sequence[Row]) -> str:
     """Return the page."""
-    pairs = {
-        (source, makes): [
-            row for row in rows if row.robot.read_as == source and row.route.makes == makes
-        ]
-        for source in ("urdf", "mjcf")
-        for makes in ("mjcf", "sdf", "usd", "urdf")
-    }
-    pairs = {pair: found for pair, found in pairs.items() if found}
-    names = [f"{_from(source)} to {TITLES[makes]}" for source, makes in pairs]
-    contents = "\n".join(
-        f"- [{name}](#{name.lower().replace(' ', '-').replace(',', '')})" for name in names
-    )
     robots = list({row.robot.name: row.robot for row in rows}.values())
-    parts = [HEAD.format(tools=len(TOOLS), robots=len(robots), contents=contents)]
+    tables: list[str] = []
     better: list[str] = []
-    for name, found in zip(names, pairs.values(), strict=True):
-        parts.append(f"## {name}\n\n{_summary(found)}")
-        better += _better(name, found)
-    parts.append(
-        "## Where another tool keeps more than Yamaro\n\n"
-        "Of the robots that both write, in percent of what is counted:\n\n"
-        + ("\n".join(better) or "Nowhere, in these columns.")
-        + "\n"
+    for source in ("urdf", "mjcf"):
+        for makes in ("mjcf", "sdf", "usd", "urdf"):
+            found = [r for r in rows if (r.robot.read_as, r.route.makes) == (source, makes)]
+            if found:
+                name = f"{_from(source)} to {TITLES[makes]}"
+                tables.append(f"### {name}\n\n{_summary(found)}")
+                better += _better(name, found)
+    return HEAD.format(
+        tools=len(TOOLS),
+        robots=len(robots),
+        tables="\n".join(tables),
+        better="\n".join(better) or "Nowhere, in these columns.",
+        versions=_versions(),
+        not_tried="\n".join(f"- {name}: {why}" for name, why in NOT_TRIED.items()),
+        names=_names(robots),
     )
-    parts.append(_by_robot(robots, rows))
-    parts.append(_tools())
-    parts.append(_robots(robots))
-    return "\n".join(parts)
+
+
+def listed(rows: Sequence[Row]) -> str:
+    """Return all rows as CSV: of each robot and tool, what is kept of how much."""
+    file = io.StringIO()
+    out = csv.writer(file, lineterminator="\n")
+    out.writerow(
+        ("robot", "source", "tool", "version", "to", *COLUMNS, "lost", "message", "command")
+    )
+    for robot, tool, route, shares, message in rows:
+        given = " ".join(f"{name}:={value}" for name, value in robot.arguments.items())
+        out.writerow(
+            (
+                robot.name,
+                f"{_origin(robot)} {robot.path} {given}".strip(),
+                tool.name,
+                tool.version,
+                route.makes,
+                *(f"{shares[each].kept}/{shares[each].of}" if each in shares else ""
+                  for each in COLUMNS),
+                "; ".join(f"{name}: {each.lost}" for name, each in shares.items() if each.lost),
+                message,
+                route.command.format_map(_Shown()),
+            )
+        )  # fmt: skip
+    return file.getvalue()
 
 
 def details(rows: Sequence[Row]) -> str:
@@ -109,12 +128,7 @@ def _summary(rows: Sequence[Row]) -> str:
         loaded = [row for row in own if row.shares]
         cells = [_percent(_mean(loaded, column)) for column in COLUMNS]
         lines.append([name, f"{len(loaded)} of {len(own)}", *cells])
-    others = ", ".join(tool.name for tool in TOOLS if tool.name not in tools)
-    table = _table(["tool", "loads", *COLUMNS], lines)
-    return (
-        "In percent of what the sources have, on average over the robots that load.\n\n"
-        f"{table}\n– (do not convert between these): {others}.\n"
-    )
+    return _table(["tool", "loads", *COLUMNS], lines)
 
 
 def _better(name: str, rows: Sequence[Row]) -> list[str]:
@@ -136,72 +150,36 @@ def _better(name: str, rows: Sequence[Row]) -> list[str]:
     return lines
 
 
-def _cell(share: Share | None) -> str:
-    if share is None:
-        return "·"
-    return "✓" if share.kept == share.of else f"{share.kept}/{share.of}"
-
-
-def _by_robot(robots: Sequence[Robot], rows: Sequence[Row]) -> str:
-    parts = ["## Robot by robot\n\n✓: all is kept; 3/7: three of seven; ·: the source has none.\n"]
-    for robot in robots:
-        own = [row for row in rows if row.robot == robot]
-        has = [name for name in COLUMNS if any(name in row.shares for row in own)]
-        lines, faults = [], []
-        for row in own:
-            title = f"{row.tool.name} → {TITLES[row.route.makes]}"
-            if row.shares:
-                lines.append([title, *(_cell(row.shares.get(name)) for name in has)])
-            else:
-                faults.append(f"- {title}: {_code(row.message)}")
-        parts.append(
-            f"### {robot.name}\n\n"
-            f"{robot.kind}, in {TITLES.get(robot.format, robot.format)}\n\n"
-            + _table(["tool", *has], lines)
-            + ("\nFailed:\n\n" + "\n".join(faults) + "\n" if faults else "")
-        )
-    return "\n".join(parts)
-
-
-def _code(text: str) -> str:
-    return f"`{text.replace('`', chr(39))}`"
-
-
-def _tools() -> str:
+def _versions() -> str:
     lines = []
     for tool in TOOLS:
-        commands = dict.fromkeys(route.command.format_map(_Shown()) for route in tool.routes)
-        version = tool.version or "this version"
         link = f"[{tool.name}]({tool.url})" if tool.url else tool.name
-        shown = "<br>".join(_code(each.replace("|", "\\|")) for each in commands)
-        lines.append([link, version, shown, tool.note])
-    others = "\n".join(f"- {name}: {why}" for name, why in NOT_TRIED.items())
-    return (
-        "## The tools\n\n"
-        "Each has an environment of its own in `.venv-scoreboard`, with pinned versions. All get "
-        "the same folder:\n`robot.urdf` with its meshes beside it, or the MJCF in its own folder. "
-        "Yamaro and xacrodoc get xacro itself.\n\n"
-        + _table(["tool", "version", "command", ""], lines, left=4)
-        + f"\nNot measured:\n\n{others}\n"
-    )
+        lines.append([link, tool.version or "this version", tool.note])
+    return _table(["tool", "version", ""], lines, left=3)
 
 
 class _Shown(dict[str, str]):
     """What stands in a command for what differs between robots."""
 
     def __missing__(self, name: str) -> str:
-        return {"file": "FILE", "root": "LINK"}.get(name, f"[{name}]")
+        return {"file": "FILE", "base": "LINK"}.get(name, f"[{name}]")
 
 
-def _robots(robots: Sequence[Robot]) -> str:
+def _origin(robot: Robot) -> str:
+    """Return where a robot is from, at one version."""
+    if robot.repository:
+        return f"https://github.com/{robot.repository}/tree/{robot.commit}"
+    return f"https://pypi.org/project/{PIP[0]}/{PIP[1]}/"
+
+
+def _names(robots: Sequence[Robot]) -> str:
+    """Return the robots with links, by the format that their authors write."""
     lines = []
-    for robot in robots:
-        if robot.repository:
-            url = f"https://github.com/{robot.repository}/tree/{robot.commit}"
-            origin = f"[{robot.repository}]({url})"
-        else:
-            origin = f"[{PIP[0]} {PIP[1]}](https://pypi.org/project/{PIP[0]}/{PIP[1]}/)"
-        given = " ".join(f"{name}:={value}" for name, value in robot.arguments.items())
-        path = f"`{robot.path}`" + (f" `{given}`" if given else "")
-        lines.append([robot.name, robot.kind, origin, path, robot.licence])
-    return "## The robots\n\n" + _table(["robot", "kind", "from", "file", "license"], lines, left=5)
+    for format in dict.fromkeys(robot.format for robot in robots):
+        links = ", ".join(
+            f"[{each.name}]({_origin(each)}) ({each.kind}, {each.licence})"
+            for each in robots
+            if each.format == format
+        )
+        lines.append(f"- {TITLES.get(format, format)}: {links}")
+    return "\n".join(lines)

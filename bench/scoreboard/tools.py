@@ -12,8 +12,8 @@ class Route:
     takes: str
     makes: str
     command: str
-    """A line of a shell. {file} is the source beside which it runs, {name} the name of the robot in
-    it; for xacro {file} is the original, with {arguments} as name:=value, and {packages}."""
+    """A line of a shell. {file} is the source beside which it runs, {base} its first link; for
+    xacro {file} is the original, with {arguments} as name:=value, and {packages}."""
     result: str
     """The file that it writes, relative to where it runs; may have *."""
 
@@ -28,6 +28,8 @@ class Tool:
     routes: tuple[Route, ...]
     packages: tuple[str, ...] = ()
     """What pip installs in the tool's own environment; none for the tool of this environment."""
+    until: str = ""
+    """The day of which its dependencies are, if it fails with newer ones; else the script's."""
     note: str = ""
     """What is said below the tables."""
 
@@ -85,11 +87,12 @@ TOOLS = (
          note="`--repair-inertia`, as the message for an impossible inertia says."),
     Tool("MuJoCo", "4.0.0", "https://mujoco.readthedocs.io/en/stable/modeling.html#urdf-extensions",
          (Route("urdf", "mjcf", _python(
-             "import mujoco; mujoco.mj_saveLastXML('out.xml', "
-             "mujoco.MjModel.from_xml_path('{file}'))"), "out.xml"),),
+             "import mujoco; s = mujoco.MjSpec.from_file('{file}'); "
+             "s.compiler.balanceinertia, s.compiler.fusestatic = True, False; s.compile(); "
+             "open('out.xml', 'w').write(s.to_xml())"), "out.xml"),),
          ("mujoco==4.0.0",),
-         note="By default it fixes the first link in the world, and merges links that joints fix: "
-              "the mass of the base and the frames of merged links go."),
+         note="With `balanceinertia` and without `fusestatic`, which would merge links that joints "
+              "fix. It fixes the first link in the world."),
     Tool("libsdformat", "12.3.0", "https://gazebosim.org/libs/sdformat/",
          (Route("urdf", "sdf", "ign sdf -p {file} > out.sdf", "out.sdf"),),
          note="`ign sdf -p` of Debian 12 (newer: `gz sdf -p`). It merges links that joints fix."),
@@ -130,14 +133,16 @@ TOOLS = (
           Route("mjcf", "urdf", "truerig convert {file} out.urdf", "out.urdf"),
           Route("mjcf", "usd", "truerig convert {file} out.usda", "out.usda")),
          ("truerig[usd]==0.1.1", "mujoco==4.0.0", "usd-core==26.11", "trimesh==5.2.0",
-          "numpy==2.4.6")),
+          "numpy==2.4.6"),
+         note="Writes limits of MJCF to URDF without efforts and speeds, which urdfdom refuses."),
     Tool("scikit-robot", "0.4.7", "https://github.com/iory/scikit-robot",
          (Route("urdf", "mjcf", "convert-urdf-to-mjcf {file} -o out.xml", "out.xml"),
           Route("urdf", "usd", "convert-urdf-to-usd {file} -o out.usda", "out.usda")),
          ("scikit-robot==0.4.7", "usd-core==26.11", "pycollada", "numpy==2.4.6")),
     Tool("cyberwave-robot-format", "0.1.8", "https://pypi.org/project/cyberwave-robot-format/",
          _cyberwave(), ("cyberwave-robot-format[usd]==0.1.8", "usd-core==26.11", "numpy==2.4.6"),
-         note="Keeps in USD what UsdPhysics cannot hold in attributes `cyberwave:…`: not counted."),
+         note="As truerig in URDF; keeps in USD what UsdPhysics cannot hold in attributes "
+              "`cyberwave:…`: not counted."),
     Tool("mjcf-urdf-simple-converter", "0.7.3",
          "https://github.com/Yasu31/mjcf_urdf_simple_converter",
          (Route("mjcf", "urdf", _python(
@@ -148,14 +153,14 @@ TOOLS = (
     Tool("hurodes", "0.1.9", "https://github.com/ZyuonRobotics/humanoid-robot-description",
          tuple(Route(takes, makes,
                      "export HURODES_ASSETS_PATH=own; hurodes-parse {file} it "
-                     f"--format-type {how} --base-link-name {{root}} && "
+                     f"--format-type {how} --base-link-name {{base}} && "
                      f"hurodes-generate it --format-type {makes} --not-view",
                      f"own/robots/it/{out}")
                for takes, how, makes, out in (
                    ("urdf", "urdf-mujoco", "mjcf", "exported/robot.xml"),
                    ("mjcf", "mjcf", "urdf", "exported/robot.urdf"))),
-         ("hurodes==0.1.9", "mujoco==4.0.0", "numpy==2.2.6"),
-         note="Made for humanoids; with NumPy 2.2, since it fails with the newest."),
+         ("hurodes[mesh]==0.1.9", "mujoco==3.4.0", "numpy==2.2.6"), "2025-12-31",
+         note="Made for humanoids, and fails with MuJoCo and NumPy that are newer."),
 )  # fmt: skip
 
 NOT_TRIED = {
