@@ -36,6 +36,7 @@ ENVIRONMENTS = ROOT / ".venv-scoreboard" / "tools"
 PAGE = ROOT / "docs" / "scoreboard.md"
 SECONDS = 300
 """Of processor time, which a busy machine does not change; with 12 times as much on the clock."""
+TOO_LONG = f"no result after {SECONDS} s"
 READERS = {
     "urdf": read_urdf.read,
     "mjcf": read_mjcf.read,
@@ -158,7 +159,7 @@ def tried(source: Source, facts: Facts, tool: Tool, route: Route) -> dict[str, A
         shutil.copytree(source.folder, folder)
         message = converted(source, tool, route, folder, base_of(facts))
         found = sorted(folder.glob(route.result))
-        if not found:
+        if not found or message == TOO_LONG:
             return {"shares": {}, "message": message or "wrote nothing"}
         answer = apart(facts, route.makes, found[0])
         if "message" in answer:
@@ -200,11 +201,11 @@ def converted(source: Source, tool: Tool, route: Route, folder: Path, base: str)
             capture_output=True, text=True, errors="replace", stdin=subprocess.DEVNULL,
         )  # fmt: skip
     except subprocess.TimeoutExpired:
-        return f"no result after {SECONDS} s"
+        return TOO_LONG
     if done.returncode == 0:
         return ""
     if abs(done.returncode) % 128 in (signal.SIGXCPU, signal.SIGKILL):
-        return f"no result after {SECONDS} s"
+        return TOO_LONG
     return first_line(done.stderr or done.stdout, folder) or f"exit status {done.returncode}"
 
 
