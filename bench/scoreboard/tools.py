@@ -87,9 +87,11 @@ TOOLS = (
          note="`--repair-inertia`, as the message for an impossible inertia says."),
     Tool("MuJoCo", "4.0.0", "https://mujoco.readthedocs.io/en/stable/modeling.html#urdf-extensions",
          (Route("urdf", "mjcf", _python(
-             "import mujoco; s = mujoco.MjSpec.from_file('{file}'); "
-             "s.compiler.balanceinertia, s.compiler.fusestatic = True, False; s.compile(); "
-             "open('out.xml', 'w').write(s.to_xml())"), "out.xml"),),
+             "import mujoco; text = open('{file}').read().replace('</robot>', "
+             "'<mujoco><compiler balanceinertia=\\'true\\' fusestatic=\\'false\\' "
+             "strippath=\\'false\\'/></mujoco></robot>'); open('it.urdf', 'w').write(text); "
+             "mujoco.mj_saveLastXML('out.xml', mujoco.MjModel.from_xml_path('it.urdf'))"),
+             "out.xml"),),
          ("mujoco==4.0.0",),
          note="With `balanceinertia` and without `fusestatic`, which would merge links that joints "
               "fix. It fixes the first link in the world."),

@@ -245,7 +245,9 @@ def lost_blocks(robot: Robot, format: str) -> Losses:
             inner = each.elements() if is_section else [each]
             for element in inner or ([each] if each.attributes else []):
                 is_place = element.name == "pos" and raw.joint is not None
-                if element.body == SAID or is_place or _says_nothing(element, each.name):
+                if id(element) in taken or element.body == SAID or is_place:
+                    continue
+                if _says_nothing(element, each.name):
                     continue
                 trace = element.trace_within(each.trace_within(raw.trace))
                 name = attribute_text(element, "name")

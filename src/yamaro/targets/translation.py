@@ -1,20 +1,25 @@
-"""What blocks for one format say that another one has as well: ball joints and springs.
+"""What blocks for one format say that another one has as well.
 
-Both are read from MJCF and SDF into blocks, since URDF has neither. Such a block is made one for
-the other format, which its writer takes as if it had been read from there.
+Ball joints and springs are read from MJCF and SDF into blocks, since URDF has neither, and so is
+from MJCF an equality of two joints that are both driven, which in the model none of them can be.
+Such a block is made one for the other format, which its writer takes as if it had been read from
+there. USD has no blocks: what it has too are values here, and so are armatures of joints without an
+actuator.
 """
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from ..model.extras import RawXml
-from ..model.joint import FIXED
+from ..model.joint import FIXED, PRISMATIC, SINGLE
 from ..model.values import attribute_text, child_named, content, numbers_in, numbers_of
 from ..xml.tree import Element, Text
 from ..xml.values import Numbers
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Iterator
 
     from ..model.robot import Robot
     from ..source import Span
@@ -24,27 +29,51 @@ SPRINGS = {"stiffness": "spring_stiffness", "springref": "spring_reference"}
 """The values of a spring in MJCF, and the elements of SDF that say them of an axis."""
 
 
+SOFTNESS = ("solref", "solimp")
+"""The values of an equality of MJCF that say how stiff it is."""
+
+
+class Coupling(NamedTuple):
+    """An equality of two joints: that of a position in rad or m, and a linear one of another."""
+
+    joint: str
+    leader: str
+    multiplier: float
+    offset: float
+    element: Element
+
+
 class Translation:
     """The blocks of a robot for a format, with those for another one that say what it has too.
 
     Attributes:
+        armatures: for USD, those of joints without an actuator, in kg·m² or kg, by name.
         blocks: the blocks.
+        couplings: for SDF and USD, the equalities of joints that the model has not.
         taken: the identities of elements in blocks for another format that nothing is lost of.
     """
 
-    __slots__ = ("_robot", "blocks", "taken")
+    __slots__ = ("_robot", "armatures", "blocks", "couplings", "taken")
 
     def __init__(self, robot: Robot, format: str) -> None:
         self._robot = robot
         self.blocks = robot.raw(format)
         self.taken: set[int] = set()
-        if format not in ("mjcf", "sdf"):
+        self.armatures: dict[str, float] = {}
+        self.couplings: list[Coupling] = []
+        if format not in ("mjcf", "sdf", "usd"):
             return
         for raw in robot.raw():
             if format == "sdf" and raw.format == "mjcf":
                 self.blocks += self._ball_for_sdf(raw) if raw.link else self._spring_for_sdf(raw)
+                self.couplings += self._couplings(raw)
+            elif format == "usd" and raw.format == "mjcf":
+                self._take_armature(raw)
+                self.couplings += self._couplings(raw)
             elif format == "mjcf" and raw.format == "sdf" and raw.joint:
                 self.blocks += self._joint_for_mjcf(raw, raw.joint)
+        if format == "sdf":
+            self._add_mimics()
 
     def _ball_for_sdf(self, raw: RawXml) -> list[RawXml]:
         """Return the ball joint that MJCF has in a body, as one of the fixed joint above this."""
@@ -86,6 +115,76 @@ class Translation:
         values = [_leaf(SPRINGS[name], content(each), each.span) for name, each in given.items()]
         axis = Element("axis", span, children=[Element("dynamics", span, children=[*values])])
         return [_block("sdf", span, [axis], joint=raw.joint)]
+
+    def _take_armature(self, raw: RawXml) -> None:
+        joint = self._robot.joints.get(raw.joint or "")
+        if joint is None or joint.type not in SINGLE or joint.name in self._robot.actuators:
+            return
+        for each in raw.elements:
+            values = numbers_in(content(each))
+            if each.name == "armature" and len(values) == 1:
+                self.armatures[joint.name] = values[0]
+                self.taken.add(id(each))
+
+    def _couplings(self, raw: RawXml) -> Iterator[Coupling]:
+        """Yield the linear equalities of two joints that no `mimic` says."""
+        robot = self._robot
+        leaders = {each.name: each.mimic.joint for each in robot.joints.values() if each.mimic}
+        for each in raw.elements if raw.link is None and raw.joint is None else ():
+            for equality in each.elements() if each.name == "equality" else ():
+                names = [attribute_text(equality, end) or "" for end in ("joint1", "joint2")]
+                given = numbers_of(equality, "polycoef")
+                row = (*given, *(0.0, 1.0, 0.0, 0.0, 0.0)[len(given) :])
+                joints = [robot.joints.get(name) for name in names]
+                kinds = {joint.type == PRISMATIC for joint in joints if joint is not None}
+                if (
+                    equality.name != "joint"
+                    or not all(joint is not None and joint.type in SINGLE for joint in joints)
+                    or len(kinds) > 1  # in USD a joint that turns cannot follow one that slides
+                    or attribute_text(equality, "active") == "false"
+                    or any(row[2:])
+                    or names[0] in leaders
+                    or leaders.get(names[1]) == names[0]
+                    or any(self._has_reference(name) for name in names)
+                ):
+                    continue
+                leaders[names[0]] = names[1]
+                if equality.attributes.keys() <= {
+                    "name",
+                    "joint1",
+                    "joint2",
+                    "polycoef",
+                    *SOFTNESS,
+                }:
+                    self.taken.add(id(equality))
+                yield Coupling(names[0], names[1], row[1], row[0], equality)
+
+    def _has_reference(self, name: str) -> bool:
+        """Return whether the positions of a joint count from another one in MJCF."""
+        return any(
+            each.name == "ref" and any(numbers_in(content(each)))
+            for raw in self._robot.raw("mjcf")
+            if raw.joint == name
+            for each in raw.elements
+        )
+
+    def _add_mimics(self) -> None:
+        """Write the couplings as mimics of SDF, in the axis of a joint with its spring."""
+        springs = {
+            each.joint: each.elements[0]
+            for each in self.blocks
+            if each not in self._robot.raw("sdf") and each.elements[0].name == "axis"
+        }
+        for name, leader, multiplier, offset, element in self.couplings:
+            span = element.span
+            values = {"multiplier": multiplier, "offset": offset, "reference": 0.0}
+            children = [_leaf(word, Numbers.of(value), span) for word, value in values.items()]
+            mimic = Element("mimic", span, {"joint": leader}, [*children])
+            if name in springs:
+                springs[name].children.append(mimic)
+            else:
+                axis = Element("axis", span, children=[mimic])
+                self.blocks.append(_block("sdf", span, [axis], joint=name))
 
     def _joint_for_mjcf(self, raw: RawXml, name: str) -> list[RawXml]:
         """Return the ball joint, or the spring, that a block for SDF gives a joint."""

@@ -26,13 +26,15 @@ from ...model.joint import (
 )  # fmt: skip
 from ...model.kinematics import WORLD
 from ...model.pose import Pose, multiply, rotation_about, rotation_from_z
+from ...model.values import numbers_of
 from ..gains import POSITION, VELOCITY
 from ..holding import leader_of, lost_of_joints
+from ..translation import SOFTNESS, Translation
 from .control import ControlWriter
 from .prims import element_of, quaternion_of, set_values
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Mapping, Sequence
 
     from ...model.pose import Rotation, Vector
     from ...source import Span
@@ -65,6 +67,7 @@ class JointWriter:
         self._bodies, self._paths = writing.bodies, writing.paths
         self._names, self._is_fixed = writing.names, writing.wanted.is_fixed
         self._control = ControlWriter(writing)
+        self._translation = Translation(writing.robot, "usd")
         self._folder = writing.names.new(writing.root, "joints")
         self._prims: dict[str, UsdPhysics.Joint] = {}
         self._made: list[tuple[Usd.Prim, Owner, Mapping[str, Span]]] = []
@@ -97,6 +100,10 @@ class JointWriter:
         for joint in robot.joints.values():
             if joint.mimic is not None and joint.name in self._prims:
                 self._follow(joint)
+        for name, leader, multiplier, offset, element in self._translation.couplings:
+            if name in self._prims and leader in self._prims:
+                softness = {word: numbers_of(element, word) for word in SOFTNESS}
+                self._couple(robot.joints[name], leader, multiplier, offset, softness)
         self.prims = [prim for prim, *_ in self._made]
         for loop in robot.loops.values():
             path = self._names.told(self._folder, "loop", loop.name, loop)
@@ -197,7 +204,8 @@ class JointWriter:
         actuator = self._robot.actuators.get(joint.name)
         is_linear = joint.type == PRISMATIC
         unit = 1.0 if is_linear else degrees(1)
-        armature = actuator.armature if actuator is not None else None
+        armature = self._translation.armatures.get(joint.name)
+        armature = actuator.armature if actuator is not None else armature
         damping = dynamics.damping / unit if dynamics is not None else None
         friction = dynamics.friction if dynamics is not None else None
         fastest = limit.velocity if limit is not None else None
@@ -227,21 +235,34 @@ class JointWriter:
         leader = leader_of(self._robot, joint)
         if leader is None or joint.mimic is None:
             return  # which is reported with the losses of all joints
-        prim = self._prims[joint.name].GetPrim()
         is_linear = joint.type == PRISMATIC
         if leader.name not in self._prims or is_linear != (leader.type == PRISMATIC):
             what = "joints that follow one of another unit"
             self.losses.lose(what, joint, part=joint.mimic)
             return
-        offset = joint.mimic.offset if is_linear else degrees(joint.mimic.offset)
-        values = {"mimicCoef0": offset, "mimicCoef1": joint.mimic.multiplier}
+        mimic = joint.mimic
+        self._couple(joint, leader.name, mimic.multiplier, mimic.offset, EQUALITY)
+
+    def _couple(
+        self,
+        joint: Joint,
+        leader: str,
+        multiplier: float,
+        offset: float,
+        softness: Mapping[str, Sequence[float]],
+    ) -> None:
+        prim = self._prims[joint.name].GetPrim()
+        offset = offset if joint.type == PRISMATIC else degrees(offset)
+        values = {"mimicCoef0": offset, "mimicCoef1": multiplier}
         set_values(prim, "NewtonMimicAPI", "newton", values, keeps_zeros=True)
-        target = self._prims[leader.name].GetPath()
+        target = self._prims[leader].GetPath()
         prim.CreateRelationship("newton:mimicJoint", custom=False).SetTargets([target])
         prim.AddAppliedSchema("MjcEqualityJointAPI")  # as stiff as in MJCF, for Newton's MuJoCo
-        for name, numbers in EQUALITY.items():
-            kind = Sdf.ValueTypeNames.DoubleArray
-            prim.CreateAttribute(f"mjc:{name}", kind, custom=False).Set(Vt.DoubleArray(numbers))
+        for name, numbers in softness.items():
+            if numbers:
+                kind = Sdf.ValueTypeNames.DoubleArray
+                attribute = prim.CreateAttribute(f"mjc:{name}", kind, custom=False)
+                attribute.Set(Vt.DoubleArray(numbers))
 
     def _places_in(self, joint: Joint) -> dict[str, Span]:
         """Return where the values of a joint are written, by their names in USD."""
