@@ -17,7 +17,6 @@ from ...commands.reports import (
     quote,
     show,
 )
-from ...streams import BINARY
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -37,7 +36,6 @@ COMMAND = Command(
         "STUDY -o FOLDER",
         "FILE [name=AXIS ...] [name:=value ...] --samples N -o FOLDER",
         "show FOLDER NUMBER",
-        "plot FOLDER [--metric NAME] -o FILE",
     ),
     "build many variants of a robot, and a table of them",
     "Build a robot with many values of its arguments, and write a table of them: the "
@@ -49,14 +47,12 @@ COMMAND = Command(
         ("name=AXIS", AXIS_HELP),
         ("name:=value", "pass a value to all variants"),
         ("show", "build variant NUMBER of the sweep in FOLDER again"),
-        ("plot", "draw the results of the sweep in FOLDER by its arguments"),
     ),
     endings=ENDINGS,
     examples=(
         "yamaro sweep leg.yaml thigh=0.2..0.4 legs=4,6 --samples 1000 -o runs/",
         "yamaro sweep study.yaml -o runs/ --engine dask://host:8786 --resume",
         "yamaro sweep show runs/ 4711 > variant.urdf",
-        "yamaro sweep plot runs/ --metric mass --minimize -o plot.png",
     ),
     takes_several=True,
     place=12,
@@ -111,56 +107,32 @@ COMMAND = Command(
             wants="local:N, dask://HOST:PORT or dask:N",
             completes="local: dask:// dask:",
         ),
-        Option(
-            "x",
-            "with 'plot', the columns along x; by default the arguments that vary",
-            value="COLUMNS",
-            wants="names of columns",
-            is_repeatable=True,
-        ),
-        Option(
-            "y",
-            "with 'plot', the columns along y; by default the results",
-            value="COLUMNS",
-            wants="names of columns",
-            is_repeatable=True,
-        ),
-        Option(
-            "metric",
-            "with 'plot', colour the variants by this column, and draw the best, the median and "
-            "the worst",
-            value="COLUMN",
-            wants="the name of a column",
-        ),
-        Option("minimize", "with 'plot', the variant with the least '--metric' is the best"),
         Option("resume", "go on with the sweep in the folder, which was stopped"),
         *BUILDING,
     ),
     help_of={
-        "output": ("the folder of the sweep: runs/; with 'show' and 'plot', a file"),
+        "output": ("the folder of the sweep: runs/; with 'show', a file"),
         "to": "build these output formats: {formats}, separated by commas",
         "quiet": ("show errors only: no summary"),
         "timeout": ("end a variant that takes longer; 60 by default"),
     },
 )
 
-SHOW, PLOT = "show", "plot"
+SHOW = "show"
 
 
 def run(arguments: Arguments, streams: Streams) -> int:
-    """Run a sweep, show one of its variants, or plot it; return the exit status."""
+    """Run a sweep, or show one of its variants; return the exit status."""
     from ...diagnostics import YamaroError
     from ...options import UsageError
 
     arguments.resolve_output()
-    policy = make_policy(arguments, looks=arguments.words[0] in (SHOW, PLOT))
+    policy = make_policy(arguments, looks=arguments.words[0] == SHOW)
     if not policy.is_trusted:
         streams.silence_libraries()
     try:
         if arguments.words[0] == SHOW:
             return _show(arguments, streams, policy)
-        if arguments.words[0] == PLOT:
-            return _plot(arguments, streams, policy)
         return _sweep(arguments, streams)
     except YamaroError as error:
         show(error.diagnostics, arguments, streams)
@@ -224,7 +196,7 @@ def _batch(arguments: Arguments, streams: Streams) -> int:
     path = arguments.options["batch"]
     if not path.endswith(ENDING):
         raise WrongUsage(f"'--batch' writes arrays of NumPy: name the file as in batch{ENDING}")
-    for name in ("output", "to", "metrics", "evaluate", "models", "resume", "metric"):
+    for name in ("output", "to", "metrics", "evaluate", "models", "resume"):
         if arguments.has(name):
             raise WrongUsage(f"'--batch' and '--{name}' do not go together")
     plan = _plan(arguments)
@@ -347,37 +319,6 @@ def _number(arguments: Arguments, option: str, least: int) -> int | None:
         wanted = f"a whole number of at least {least}"
         raise WrongUsage(f"'--{option}' takes {wanted}, not {quote(text)}")
     return number
-
-
-# --- a plot ---
-
-
-def _plot(arguments: Arguments, streams: Streams, policy: Policy) -> int:
-    """Write the plot of a sweep; return the exit status."""
-    from .axes import words_in
-    from .plot import plot
-
-    words = arguments.words[1:]
-    if len(words) != 1 or arguments.assignments:
-        raise WrongUsage("'yamaro sweep plot' needs the folder of a sweep, and nothing else")
-    if "output" not in arguments.options:
-        raise WrongUsage("'yamaro sweep plot' needs an output file: -o plot.png")
-    lists = arguments.lists
-    if arguments.has("minimize") and "metric" not in arguments.options:
-        raise WrongUsage("'--minimize' says which variant is the best by a '--metric'")
-    plotted = plot(
-        words[0],
-        arguments.options["output"],
-        across=[word for text in lists.get("x", ()) for word in words_in(text)],
-        up=[word for text in lists.get("y", ()) for word in words_in(text)],
-        metric=arguments.options.get("metric"),
-        minimize=arguments.has("minimize"),
-        policy=policy,
-    )
-    if not streams.quiet:
-        for remark in plotted.remarks:
-            streams.say(remark)
-    return deliver([plotted.data], arguments, streams, BINARY)
 
 
 # --- one variant ---

@@ -359,14 +359,13 @@ def plan_in(folder: str, policy: Policy) -> Plan:
     return plan
 
 
-def show(folder: str, index: int, policy: Policy, *, has_root: bool = False) -> Shown:
+def show(folder: str, index: int, policy: Policy) -> Shown:
     """Build a variant of the sweep in a folder again.
 
     Args:
         folder: that of the sweep.
         index: the number of the variant.
         policy: how far the robot's files are trusted now.
-        has_root: whether the tree is needed.
 
     Raises:
         UsageError: there is no sweep, or it has no such variant.
@@ -379,7 +378,7 @@ def show(folder: str, index: int, policy: Policy, *, has_root: bool = False) -> 
     arguments = next(Space(plan).variants(index, index + 1))
     changed = [path for path, digest in plan.files.items() if file_hash(path) != digest]
     try:
-        build = Builder(plan, os.path.abspath(folder)).build(index, arguments, has_root=has_root)
+        build = Builder(plan, os.path.abspath(folder)).build(index, arguments)
     except YamaroError as error:
         passed = " ".join(f"{key}:={value}" for key, value in arguments.items())
         notes = error.diagnostics[0].notes
