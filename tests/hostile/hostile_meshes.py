@@ -7,10 +7,8 @@ read, or refused for what is missing, without touching the files that they name.
 from __future__ import annotations
 
 import base64
-import io
 import json
 import struct
-import zipfile
 import zlib
 from typing import Any
 
@@ -84,64 +82,6 @@ PASSWD = (
 )
 HARMLESS["images that are no images.dae"] = dae(more=PASSWD).encode()
 HARMLESS["counts that lie.dae"] = OK_DAE.replace('count="', 'count="99999').encode()
-
-# --- 3MF ------------------------------------------------------------------------------------------
-
-CORE = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
-SOLID = (
-    '<object id="1" type="model"><mesh><vertices><vertex x="0" y="0" z="0"/>'
-    '<vertex x="1" y="0" z="0"/><vertex x="0" y="1" z="0"/></vertices>'
-    '<triangles><triangle v1="0" v2="1" v3="2"/></triangles></mesh></object>'
-)
-
-
-def model(objects: str, *items: str, head: str = "") -> str:
-    build = "".join(f'<item objectid="{item}"/>' for item in items)
-    return (
-        f'<?xml version="1.0"?>{head}<model unit="millimeter" xmlns="{CORE}">'
-        f"<resources>{SOLID}{objects}</resources><build>{build}</build></model>"
-    )
-
-
-def threemf(
-    text: str, others: dict[str, bytes] | None = None, method: int = zipfile.ZIP_DEFLATED
-) -> bytes:
-    data = io.BytesIO()
-    with zipfile.ZipFile(data, "w", method) as archive:
-        archive.writestr("3D/3dmodel.model", text)
-        for name, content in (others or {}).items():
-            archive.writestr(name, content)
-    return data.getvalue()
-
-
-def with_size(data: bytes, size: int) -> bytes:
-    """Return an archive whose directory says that its last file is so large when unpacked."""
-    place = data.rindex(b"PK\1\2") + 24
-    return data[:place] + struct.pack("<I", size) + data[place + 4 :]
-
-
-def components(name: int, *inside: int) -> str:
-    parts = "".join(f'<component objectid="{each}"/>' for each in inside)
-    return f'<object id="{name}"><components>{parts}</components></object>'
-
-
-OK_3MF = threemf(model("", "1"))
-STACK = "".join(components(i, *[i - 1] * 10) for i in range(2, 10))
-refuse("a tower of components.3mf", threemf(model(STACK, "9")), "10,000 bodies")
-refuse("a tower that is not built.3mf", threemf(model(STACK, "1")), "10,000 bodies")
-refuse("components in a circle.3mf",
-       threemf(model(components(2, 3) + components(3, 2), "2")), "in a circle")  # fmt: skip
-refuse("an object built often.3mf", threemf(model("", *["1"] * 20_000)), "10,000 bodies")
-refuse("gigabytes in an archive.3mf", with_size(OK_3MF, 1 << 30), "unpacked it is larger")
-refuse("a size that lies.3mf", with_size(OK_3MF, 10), "not a ZIP archive")
-refuse("another compression.3mf", threemf(model("", "1"), method=zipfile.ZIP_BZIP2),
-       "in a way that 3MF does not have")  # fmt: skip
-refuse("thousands of files.3mf", threemf(model("", "1"), {f"{i}": b"" for i in range(2_000)}),
-       "1,000 files")  # fmt: skip
-refuse("a document type.3mf", threemf(model("", "1", head="<!DOCTYPE m>")), DOCTYPE)
-refuse("nothing in it.3mf", threemf(""), "its XML is broken")
-refuse("an archive cut off.3mf", OK_3MF[:-30], "not a ZIP archive")
-HARMLESS["names that lead outside.3mf"] = threemf(model("", "1"), {"../../x": b"x", "/x": b"x"})
 
 # --- glTF -----------------------------------------------------------------------------------------
 
@@ -232,9 +172,6 @@ refuse("a header without an end.ply", "ply\n" + "comment x\n" * 20_000, "its hea
 HARMLESS["a texture elsewhere.ply"] = (
     PLY.format("ascii", 3, 1, "uchar") + CORNERS + "3 0 1 2\n"
 ).encode()
-refuse("billions of corners.off", "OFF\n4000000000 4000000000 0\n0 0 0\n", MORE)
-refuse("fewer than no corners.off", "OFF\n-3 1 0\n0 0 0\n", MORE)
-refuse("a corner that is not there.off", f"OFF\n3 1 0\n{CORNERS}3 0 1 9999\n", "")
 refuse(
     "a header that lies.stl", bytes(80) + b"\xff\xff\xff\xff" + bytes(50), "not a valid STL file"
 )

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 else:
     trimesh = Later("trimesh")
 
-KINDS = ["stl", "stl_ascii", "obj", "dae", "glb", "ply", "off"]
+KINDS = ["stl", "stl_ascii", "obj", "dae", "glb", "ply"]
 
 
 @cache

@@ -311,7 +311,7 @@ def test_a_mesh_was_painted_over_where_rviz_shows_its_own_colours(
     assert like(image, 0, 200, 0)[45, 60]
 
 
-@pytest.mark.parametrize("kind", ["stl", "obj", "ply", "off"])
+@pytest.mark.parametrize("kind", ["stl", "obj", "ply"])
 def test_a_mesh_without_colours_has_that_of_the_robot(kind: str, tmp_path: Path) -> None:
     ball = trimesh.creation.icosphere(radius=0.5)
     options = {"include_texture": False, "include_color": False} if kind == "obj" else {}

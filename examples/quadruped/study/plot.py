@@ -1,6 +1,6 @@
 """Plots a sweep: each result against each length, coloured by the cost of transport.
 
-    python plot.py runs legs.png
+python plot.py runs legs.png
 """
 
 import sys

@@ -2,19 +2,9 @@
 
 from __future__ import annotations
 
-STL, OBJ, DAE, GLTF, GLB, PLY, OFF, THREEMF = (
-    "stl",
-    "obj",
-    "dae",
-    "gltf",
-    "glb",
-    "ply",
-    "off",
-    "3mf",
-)
+STL, OBJ, DAE, GLTF, GLB, PLY = "stl", "obj", "dae", "gltf", "glb", "ply"
 FORMAT_NAMES = {
-    STL: "STL", OBJ: "OBJ", THREEMF: "3MF", DAE: "COLLADA", GLB: "glTF", GLTF: "glTF", OFF: "OFF",
-    PLY: "PLY",
+    STL: "STL", OBJ: "OBJ", DAE: "COLLADA", GLB: "glTF", GLTF: "glTF", PLY: "PLY",
 }  # fmt: skip
 """The formats of meshes that can be read, by their usual file endings."""
 
@@ -33,12 +23,7 @@ _OBJ_WORDS = frozenset(
     b"surf parm trim hole scrv sp end con bevel c_interp d_interp lod shadow_obj trace_obj ctech "
     b"stech".split()
 )
-_OFF_WORDS = frozenset(b"OFF COFF NOFF CNOFF STOFF STCOFF STNOFF STCNOFF".split())
 _FOREIGN_COMMENTS = (b"#VRML", b"#X3D", b"#usda")
-_MAGIC = (
-    (b"glTF", GLB),
-    (b"PK\x03\x04", THREEMF),
-)
 _IMAGE_MAGIC = (
     (b"\x89PNG\r\n\x1a\n", PNG),
     (b"\xff\xd8\xff", JPEG),
@@ -64,9 +49,8 @@ class MissingLibraryError(Exception):
 
 def mesh_format(data: bytes) -> str | None:
     """Return the format of a mesh, or None if it cannot be read."""
-    for magic, kind in _MAGIC:
-        if data.startswith(magic):
-            return kind
+    if data.startswith(b"glTF"):
+        return GLB
     if data[:4].strip() == b"ply":
         return PLY
     if is_binary_stl(data):
@@ -78,7 +62,7 @@ def mesh_format(data: bytes) -> str | None:
         return GLTF
     if start[:5].lower() == b"solid":
         return STL
-    # OFF or OBJ, by the first word that is not in a comment.
+    # OBJ, by the first word that is not in a comment.
     if b"\0" in start or start.startswith(_FOREIGN_COMMENTS):
         return None
     has_comment = False
@@ -89,8 +73,6 @@ def mesh_format(data: bytes) -> str | None:
         if words[0].startswith(b"#"):
             has_comment = True
             continue
-        if words[0].upper() in _OFF_WORDS:
-            return OFF
         return OBJ if words[0] in _OBJ_WORDS else None
     return OBJ if has_comment else None
 

@@ -14,14 +14,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..files.regular import read_start
-from .bounds import MOST_PLACED, check_bounds, path_of, stored_threemf
+from .bounds import MOST_PLACED, check_bounds, path_of
 from .formats import (
     GLB,
     GLTF,
     IMAGE_FORMATS,
     LARGEST_FILE,
     OBJ,
-    THREEMF,
     MeshFileError,
     MissingLibraryError,
     image_format,
@@ -98,8 +97,6 @@ def read_bodies(
             import trimesh  # noqa: F401 - that it is missing comes first
 
             check_bounds(data, kind)
-            if kind == THREEMF:
-                data = stored_threemf(data)
             bodies = _read(data, kind, companions, has_colors)
             if refused is not None:
                 refused += companions.refused
@@ -166,7 +163,7 @@ def check_corners(triangles: Whole, count: int) -> None:
 
 
 def _metres(scene: Any) -> float:
-    """Return the length of the file's unit: COLLADA and 3MF name theirs, others are in metres."""
+    """Return the length of the file's unit: COLLADA names its own, others are in metres."""
     units = getattr(scene, "units", None)
     if not units:
         return 1.0
