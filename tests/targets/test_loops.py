@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import runpy
 from pathlib import Path
 from typing import Any
 
@@ -155,13 +156,9 @@ CLOSED = 1e-9
 """In metres."""
 
 
-def code_of_the_page() -> dict[str, Any]:
-    """Return what the Python blocks of the page define."""
-    names: dict[str, Any] = {}
-    for block in BLOCKS:
-        if block.language == "python":
-            exec(block.text, names)
-    return names
+def code_of_the_example() -> dict[str, Any]:
+    """Return what the example that the page names defines."""
+    return runpy.run_path(str(PAGE.parents[1] / "examples" / "pinocchio_loops.py"))
 
 
 @pytest.mark.parametrize("name", ROBOTS)
@@ -171,7 +168,7 @@ def test_loops_are_closed_at_home_and_in_100_poses(
     source, urdf = tmp_path / "robot.yaml", tmp_path / "robot.urdf"
     source.write_text(ROBOTS[name])
     assert main([str(source), "-q", "-o", str(urdf)]) == 0, capsys.readouterr().err
-    page = code_of_the_page()
+    page = code_of_the_example()
     model = pin.buildModelFromUrdf(str(urdf))
     beside = tmp_path / "robot.loops.yaml"
     constraints = page["read_loops"](model, str(beside))
@@ -291,7 +288,7 @@ def test_mimics_of_a_parallelogram_keep_it_closed(tmp_path: Path) -> None:
     assert text.count("<mimic") == 2
     model = pin.buildModelFromXML(text, mimic=True)
     assert model.nv == 1
-    page = code_of_the_page()
+    page = code_of_the_example()
     plain = pin.buildModelFromXML(text)
     constraints = page["read_loops"](plain, str(tmp_path / "robot.loops.yaml"))
     robot = yamaro.build(str(tmp_path / "robot.yaml")).robot
