@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from ..diagnostics import Diagnostic
 from ..model.inertia import principal_axes
-from ..model.joint import FIXED
+from ..model.joint import FIXED, SINGLE
 from ..model.kinematics import from_the_roots
 from ..model.pose import Pose, multiply, transposed
 from ..xml.values import format_number
@@ -84,7 +84,7 @@ class Inertias:
             robot: the robot.
             is_fixed: whether its root is fixed in the world.
             repairs: whether moments that no body can have are changed instead of refused.
-            passed: the links that are not bodies, between two joints of one body.
+            passed: the links without mass between two joints that are allowed.
             weighed: the links whose mass the simulator takes from their shapes.
         """
         self.by_link: dict[str, Principal] = {}
@@ -189,6 +189,20 @@ class Inertias:
                 trace=link.trace,
             )
         )
+
+
+def between_joints(robot: Robot) -> set[str]:
+    """Return the empty links between two joints, as where one body has several joints.
+
+    They are exact without mass; a simulator that takes no such body has one of hardly any.
+    """
+    found = set()
+    for link in robot.links.values():
+        joint, below = robot.parent_joint(link.name), robot.joints_below(link.name)
+        if link.is_empty and joint is not None and len(below) == 1:
+            if joint.type in SINGLE and below[0].type in SINGLE:
+                found.add(link.name)
+    return found
 
 
 def _rests_below(robot: Robot, link: str) -> bool:

@@ -11,7 +11,7 @@ from ..contacts import filtered_pairs
 from ..elements import element, given, settle
 from ..foreign_xml import RawXmlOf, foreign_losses
 from ..holding import cones, lost_sections, renamed_sensors
-from ..inertia import Inertias
+from ..inertia import Inertias, between_joints
 from ..output import Output
 from ..table import TARGETS
 from ..translation import Translation
@@ -60,7 +60,12 @@ class _Model:
         self._bodies = Bodies(robot)
         self._names = Names(robot, has_world=self._bodies.carriers.get(WORLD, "") is None)
         self._losses = self._names.losses
-        self._inertias = Inertias(robot, is_fixed=wanted.is_fixed, repairs=wanted.repairs_inertia)
+        self._inertias = Inertias(
+            robot,
+            is_fixed=wanted.is_fixed,
+            repairs=wanted.repairs_inertia,
+            passed=between_joints(robot),
+        )
         self._losses += self._inertias.losses
         self._blocks = GazeboBlocks(robot)
         self._losses += foreign_losses(robot, taken=("gazebo",))

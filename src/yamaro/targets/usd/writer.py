@@ -13,7 +13,7 @@ from ..contacts import filtered_pairs
 from ..elements import element
 from ..foreign_xml import foreign_losses
 from ..holding import lost_sections
-from ..inertia import Inertias
+from ..inertia import Inertias, between_joints
 from ..losses import RENAMED, Loss, Losses
 from ..output import Output
 from .control import ACTUATORS, VARIANTS
@@ -73,7 +73,12 @@ class _Model:
         self._robot = robot
         self._wanted = wanted
         self._poses = link_poses(robot)
-        self._inertias = Inertias(robot, is_fixed=wanted.is_fixed, repairs=wanted.repairs_inertia)
+        self._inertias = Inertias(
+            robot,
+            is_fixed=wanted.is_fixed,
+            repairs=wanted.repairs_inertia,
+            passed=between_joints(robot),
+        )
         self.losses = Losses(self._inertias.losses)
         self.files: dict[str, bytes] = {}
         self.elements: list[Element] = []
