@@ -10,19 +10,23 @@ from typing import TYPE_CHECKING
 
 from ..meshes.encoding import stl_of
 from ..meshes.formats import MeshFileError, MissingLibraryError
-from ..meshes.triangles import TriangleMesh, read_mesh, read_stl
+from ..meshes.triangles import TriangleMesh, is_closed, joined, read_mesh, read_stl
 from ..model.shapes import SIMPLE_SHAPES
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
     from ..meshes.cache import MeshCache
     from ..model.pose import Vector
     from ..model.shapes import SimpleShape
 
+    Color = tuple[float, float, float, float]
+
 FIT, DECOMPOSE, SPHERES, TRIANGLES = "fit", "decompose", "spheres", "triangles"
 """The words by which a shape is asked for."""
 BEST, HULL = "best", "hull"
+FEWEST = 4
+"""Triangles of a part of one colour, at least."""
 LARGEST_COORDINATE = 1e6
 """In metres: a mesh that reaches farther has no size that makes sense."""
 _VERSION = 3
@@ -75,15 +79,18 @@ class Fit:
     """What was worked out.
 
     Attributes:
-        pieces: simple shapes, and meshes, each as the bytes of an STL in metres.
+        pieces: simple shapes, and meshes, each as the bytes of an STL in metres; none where the
+            mesh has few enough triangles as it is.
         distance: the greatest distance between the surface of the mesh and that of the pieces
             together, both ways, in metres.
         excess: how much more volume the pieces together have, as a part of the mesh's volume; None
             for a mesh that is not closed.
         size: the longest side of the box around the mesh, in metres.
+        colors: of each piece red, green, blue and alpha from 0 to 1, or None; empty without any.
+        loses: what the mesh looks like and the pieces do not: `texture`, `colours` or "".
     """
 
-    __slots__ = ("distance", "excess", "pieces", "size")
+    __slots__ = ("colors", "distance", "excess", "loses", "pieces", "size")
 
     def __init__(
         self,
@@ -92,8 +99,12 @@ class Fit:
         distance: float,
         excess: float | None,
         size: float,
+        colors: tuple[Color | None, ...] = (),
+        loses: str = "",
     ) -> None:
         """Hold a result; see the class."""
+        self.colors = colors if any(colors) else ()
+        self.loses = loses
         self.pieces = pieces
         self.distance = distance
         self.excess = excess
@@ -131,7 +142,18 @@ def work_out(
         try:
             known[key] = unpacked(kept or b"")
         except (ValueError, KeyError, IndexError):  # there is none, or it is broken
-            known[key] = fitted(_scaled(read_mesh(path, allows), scale), wanted)
+            mesh = _scaled(read_mesh(path, allows), scale)
+            parts: list[tuple[TriangleMesh, Color | None]] = [(mesh, None)]
+            lost = ""
+            if wanted.word == TRIANGLES and len(mesh.triangles) > wanted.count:
+                from .lighter import parts_by_color
+
+                found, lost = parts_by_color(path, allows)
+                parts = [(_scaled(part, scale), color) for part, color in found]
+                if len(parts) == 1:
+                    parts = [(mesh, parts[0][1])]
+            known[key] = fitted(mesh, wanted, parts)
+            known[key].loses = lost if known[key].pieces else ""
             if cache is not None and key:
                 cache.put(key, packed(known[key]))
     return known[key]
@@ -159,8 +181,12 @@ def _scaled(mesh: TriangleMesh, scale: tuple[float, ...]) -> TriangleMesh:
     return TriangleMesh(vertices, triangles)
 
 
-def fitted(mesh: TriangleMesh, wanted: Wanted) -> Fit:
-    """Return a shape for a mesh.
+def fitted(
+    mesh: TriangleMesh,
+    wanted: Wanted,
+    parts: Sequence[tuple[TriangleMesh, Color | None]] = (),
+) -> Fit:
+    """Return a shape for a mesh; with TRIANGLES of its parts, each of which has one colour.
 
     Raises:
         MeshFileError: it has no surface that a shape fits.
@@ -174,6 +200,8 @@ def fitted(mesh: TriangleMesh, wanted: Wanted) -> Fit:
     from .sampling import without_twins
 
     size = _size(mesh)
+    if wanted.word == TRIANGLES:
+        return _lightened(mesh, parts or [(mesh, None)], wanted.count, size=size)
     mesh = without_twins(mesh)
     pieces: list[Placed | TriangleMesh]
     match wanted.word:
@@ -195,10 +223,6 @@ def fitted(mesh: TriangleMesh, wanted: Wanted) -> Fit:
 
             found = spheres_of(mesh, wanted.count, cover=wanted.covers)
             pieces = [Placed(Sphere(radius), xyz, (0.0, 0.0, 0.0)) for xyz, radius in found]
-        case "triangles":
-            from .lighter import lighter
-
-            pieces = [lighter(mesh, wanted.count)]
         case _:
             raise AssertionError(wanted.word)
     distance, excess = quality_of(mesh, pieces)
@@ -207,6 +231,34 @@ def fitted(mesh: TriangleMesh, wanted: Wanted) -> Fit:
         distance=distance,
         excess=excess,
         size=size,
+    )
+
+
+def _lightened(
+    mesh: TriangleMesh,
+    parts: Sequence[tuple[TriangleMesh, Color | None]],
+    count: int,
+    *,
+    size: float,
+) -> Fit:
+    """Return the parts of a mesh with at most `count` triangles, or no pieces if it has no more."""
+    from .lighter import lighter
+    from .quality import quality_of
+
+    total = sum(len(part.triangles) for part, _ in parts)
+    share = count / max(total, 1)
+    pieces = [
+        lighter(part, max(FEWEST, int(len(part.triangles) * share)), size=size) for part, _ in parts
+    ]
+    if total <= count or sum(len(each.triangles) for each in pieces) >= total:
+        return Fit((), distance=0.0, excess=0.0 if is_closed(mesh) else None, size=size)
+    distance, excess = quality_of(mesh, [joined(pieces)])
+    return Fit(
+        tuple(map(stl_of, pieces)),
+        distance=distance,
+        excess=excess,
+        size=size,
+        colors=tuple([color for _, color in parts]),
     )
 
 
@@ -241,10 +293,10 @@ def packed(fit: Fit) -> bytes:
     from ..sandbox.jail.protocol import pack
 
     excess = "" if fit.excess is None else repr(fit.excess)
-    parts = [f"{fit.distance!r} {fit.size!r} {excess}".encode()]
-    for piece in fit.pieces:
+    parts = [f"{fit.distance!r} {fit.size!r} {excess}".encode(), fit.loses.encode()]
+    for piece, color in zip(fit.pieces, fit.colors or (None,) * len(fit.pieces), strict=True):
         if isinstance(piece, bytes):
-            parts.append(_MESH + piece)
+            parts.append(_MESH + " ".join(map(repr, color or ())).encode() + b"\n" + piece)
         else:
             numbers = (*piece.shape.size, *piece.xyz, *piece.rpy)
             parts.append(_SHAPE + f"{piece.shape.kind} {' '.join(map(repr, numbers))}".encode())
@@ -259,18 +311,28 @@ def unpacked(data: bytes) -> Fit:
     """
     from ..sandbox.jail.protocol import unpack
 
-    head, *parts = unpack(data)
+    head, loses, *parts = unpack(data)
     distance, size, *excess = map(float, head.split())
     pieces: list[Placed | bytes] = []
+    colors: list[Color | None] = []
     for part in parts:
         if part[:1] == _MESH:
-            read_stl(part[1:])
-            pieces.append(part[1:])
+            row, _, content = part[1:].partition(b"\n")
+            read_stl(content)
+            pieces.append(content)
+            red, green, blue, alpha = map(float, row.split() or (0, 0, 0, 0))
+            colors.append((red, green, blue, alpha) if row else None)
             continue
+        colors.append(None)
         kind, *words = part[1:].decode("ascii").split()
         numbers = [*map(float, words)]
         a, b, c, d, e, f = numbers[-6:]
         pieces.append(Placed(SIMPLE_SHAPES[kind](*numbers[:-6]), (a, b, c), (d, e, f)))
-    if not pieces:
-        raise ValueError("there are no pieces")
-    return Fit(tuple(pieces), distance=distance, excess=excess[0] if excess else None, size=size)
+    return Fit(
+        tuple(pieces),
+        distance=distance,
+        excess=excess[0] if excess else None,
+        size=size,
+        colors=tuple(colors),
+        loses=loses.decode("ascii"),
+    )

@@ -49,6 +49,13 @@ class TriangleMesh:
         self.triangles = triangles
 
 
+def joined(meshes: Iterable[TriangleMesh]) -> TriangleMesh:
+    """Return meshes as one, in which corners at the same point are one."""
+    return _merged(
+        mesh.vertices[index] for mesh in meshes for each in mesh.triangles for index in each
+    )
+
+
 def is_closed(mesh: TriangleMesh) -> bool:
     """Return whether the surface has no border, so that it encloses a body.
 

@@ -336,7 +336,8 @@ class Fitted(Noted):
         count: how many there are.
         word: `fit`, `decompose`, `spheres` or `triangles`.
         kind: with `fit` which shape was asked for, else "".
-        made: which shape it is: `box` …, `hull`; or `pieces`, `spheres` or `mesh`.
+        made: which shape it is: `box` …, `hull`; or `pieces`, `spheres` or `mesh`,
+            or `kept` where the mesh has few enough triangles.
         wanted: how many pieces, spheres or triangles were asked for; 0 with `fit`.
         covers: whether they contain the mesh.
         distance: the greatest distance between their surface and that of the mesh, in metres.

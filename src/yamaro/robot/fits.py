@@ -12,12 +12,15 @@ from ..xml.tree import Element, RobotNote
 from ..xml.values import Numbers, format_value
 from .extras import read_field
 from .fields import FIT_KEYS, LIGHTER_KEYS
+from .material import material_of
 from .notes import TRUTHS, one_of
 from .numbers import format_component
 from .pose import Pose, compose_poses, origin_element
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Container, Sequence
+
     from ..diagnostics import Frame
     from ..fitting.fit import Fit, Placed, Wanted
     from ..meshes.cache import MeshCache
@@ -26,6 +29,9 @@ if TYPE_CHECKING:
     from .fields import Fields
     from .geometry import Geometry
     from .lowering import Lowering
+
+KEPT = "kept"
+"""What was made of a mesh that has few enough triangles."""
 
 
 def fitted_sections(
@@ -71,14 +77,15 @@ def fitted_sections(
         trace=asked.trace,
     )
     pieces = pieces_to_write(lowering, fit)
+    placed = [_piece(lowering, asked, wanted, geometry, piece, pose) for piece in pieces]
+    looks = looks_of(lowering, fit, asked, rest, filename=geometry.word)
     made: list[Element] = []
     name = format_value(key.attributes.get("name")).strip()
-    for number, piece in enumerate(pieces):
-        children: list[Node] = [*rest]
-        shape, origin = _piece(lowering, asked, wanted, geometry, piece, pose)
-        section = key.with_children(
-            [shape, *children] if origin is None else [origin, shape, *children]
-        )
+    for number, (shape, origin) in enumerate(
+        placed or [(geometry.element, origin_element(pose, asked))]
+    ):
+        children: list[Node] = [shape, *rest, *(looks[number] if looks else ())]
+        section = key.with_children(children if origin is None else [origin, *children])
         if name and number:
             section.attributes = {**key.attributes, "name": f"{name}_{number + 1}"}
         made.append(section)
@@ -304,12 +311,54 @@ def filename_of(lowering: Lowering, wanted: Wanted, mesh: str, piece: bytes) -> 
     return name if make is None else make(name, piece)
 
 
+def looks_of(
+    lowering: Lowering,
+    fit: Fit,
+    key: Element,
+    rest: Sequence[Node],
+    *,
+    filename: str,
+    taken: Container[str] = (),
+) -> list[list[Element]]:
+    """Return the `<material>` of each piece; none where the visual has one.
+
+    Args:
+        lowering: the run.
+        fit: the result.
+        key: where it is asked for.
+        rest: what each visual has besides origin and geometry.
+        filename: the mesh file.
+        taken: names that materials have already.
+    """
+    if any(isinstance(each, Element) and each.name == "material" for each in rest):
+        return []
+    if fit.loses:
+        lowering.report(
+            "lost-colors",
+            f"the {fit.loses} of the mesh '{filename}' cannot be kept with fewer triangles",
+            key.span,
+            hint="write a color in the visual, or leave this mesh as it is",
+            trace=key.trace,
+        )
+    found: list[list[Element]] = []
+    for color in fit.colors:
+        rgba = None if color is None else Numbers.of(*color)
+        written: dict[str, object] = {"rgba": rgba}
+        element = Element("color", key.span, written, [], key.trace)
+        found.append(
+            [] if color is None else [material_of(lowering, element, color, taken=taken)]
+        )
+    return found
+
+
 def _row(values: tuple[float, ...]) -> Numbers:
     return Numbers(tuple(map(format_component, values)), values)
 
 
 def _made(wanted: Wanted, fit: Fit) -> str:
     """Return what was made, in a word."""
+    if not fit.pieces:
+        return KEPT
     first = fit.pieces[0]
     if wanted.word == "fit":
         return "hull" if isinstance(first, bytes) else first.shape.kind

@@ -21,7 +21,7 @@ from .numbers import read_attribute
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Container, Iterator
 
     from ..xml.tree import Node
     from .lowering import Lowering
@@ -145,17 +145,30 @@ def lower_color_material(lowering: Lowering, key: Element) -> Element:
     color = _lower_color(lowering, key)
     written = color.attributes["rgba"]
     assert type(written) is Numbers
-    rgba = written.written
+    return material_of(lowering, color, written.written)
+
+
+def material_of(
+    lowering: Lowering, color: Element, rgba: tuple[float, ...], *, taken: Container[str] = ()
+) -> Element:
+    """Return the `<material>` of a colour, named after the first link that has it.
+
+    Args:
+        lowering: the run.
+        color: the `<color>`.
+        rgba: its numbers.
+        taken: names that materials have already.
+    """
     name = lowering.colors.get(rgba)
     if name is None:
         stem = name = f"{lowering.link_name}_color"
-        taken = lowering.colors.values()
+        own = lowering.colors.values()
         number = 1
-        while name in taken:
+        while name in own or name in taken:
             number += 1
             name = f"{stem}_{number}"
         lowering.colors[rgba] = name
-    return Element("material", key.span, {"name": name}, [color], key.trace)
+    return Element("material", color.span, {"name": name}, [color], color.trace)
 
 
 def _lower_color(lowering: Lowering, key: Element) -> Element:

@@ -12,12 +12,12 @@ from ..model.reading import read_robot
 from ..model.shapes import Mesh
 from ..xml.tree import Element, RobotNote
 from ..xml.values import Numbers, format_value
-from .fits import note_of, pieces_to_write, worked_out
+from .fits import looks_of, note_of, pieces_to_write, worked_out
 from .numbers import format_component
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Container, Sequence
 
     from ..fitting.fit import Placed, Wanted
     from ..model.link import Collision, Link, Visual
@@ -101,7 +101,9 @@ def refitted(
             on_work(number / len(work))
         began = monotonic()
         try:
-            made, note = _refit(lowering, wanted, link, section, shape, mesh)
+            made, note = _refit(
+                lowering, wanted, link, section, shape, mesh, materials=robot.materials
+            )
         except YamaroError as error:
             lowering.absorb(error)
             continue
@@ -137,6 +139,8 @@ def _refit(
     section: str,
     shape: Visual | Collision,
     mesh: Mesh,
+    *,
+    materials: Container[str],
 ) -> tuple[list[Element], RobotNote]:
     """Return the sections in place of one, and the note of what was worked out."""
     from ..fitting.fit import TRIANGLES, Wanted
@@ -157,9 +161,12 @@ def _refit(
         if not (isinstance(child, Element) and child.name in ("origin", "geometry"))
     ]
     name = format_value(element.attributes.get("name")).strip()
-    sections = []
+    sections = [] if fit.pieces else [element]
+    lowering.link_name = link.name
+    looks = looks_of(lowering, fit, geometry, rest, filename=mesh.filename, taken=materials)
     for number, piece in enumerate(pieces_to_write(lowering, fit)):
-        children = [*_placed(lowering, element, mesh, piece, shape.pose, asked), *rest]
+        look = looks[number] if looks else ()
+        children = [*_placed(lowering, element, mesh, piece, shape.pose, asked), *rest, *look]
         made = element.with_children(children)
         if name and number:
             made.attributes = {**element.attributes, "name": f"{name}_{number + 1}"}

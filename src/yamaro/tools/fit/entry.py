@@ -170,6 +170,7 @@ def _format_of(path: str) -> str | None:
 # --- the table ----------------------------------------------------------------------------------
 
 
+KEPT = "kept"
 HEAD = ("link", "mesh", "shape", "distance", "of size", "volume", "seconds")
 
 
@@ -206,6 +207,6 @@ def _shape(fitted: Fitted) -> str:
     if fitted.word == "fit":
         return fitted.made
     if fitted.word == "triangles":
-        return f"{fitted.wanted} triangles"
+        return "as it is" if fitted.made == KEPT else f"{fitted.wanted} triangles"
     what = "piece" if fitted.word == "decompose" else "sphere"
     return f"{fitted.count} {what}{'' if fitted.count == 1 else 's'}"
