@@ -53,6 +53,7 @@ SEVERITIES = {
     "leftover-expression": "advice",
     "limit-order": "warning",
     "long-chain": "warning",
+    "lost-colors": "warning",
     "lost-in-controllers": "warning",
     "lost-in-curobo": "warning",
     "lost-in-interface": "warning",

@@ -17,7 +17,7 @@ from yamaro import YamaroError, build
 from yamaro.commands.main import main
 from yamaro.meshes.encoding import obj_of_triangles, stl_of
 from yamaro.model.robot import Robot
-from yamaro.model.shapes import Shape
+from yamaro.model.shapes import Mesh, Shape
 from yamaro.policy import JAIL, SAFE, Policy
 
 ROBOT = """\
@@ -256,3 +256,37 @@ def test_mjcf_stays_mjcf_with_its_actuators_and_frictions() -> None:
     assert model.geom_size[colliding[0]][:2] == pytest.approx((0.05, 0.15), rel=0.01)
     assert model.geom_friction[colliding[0]][0] == pytest.approx(0.3)
     assert model.nu == 1
+
+
+def test_a_lighter_mesh_keeps_its_colours_and_one_that_is_light_its_file() -> None:
+    import trimesh
+
+    parts = {"red": ((1.0, 0.0, 0.0, 1.0), 0.0), "blue": ((0.0, 0.0, 1.0, 0.5), 1.0)}
+    scene = trimesh.Scene()
+    for name, (color, x) in parts.items():
+        ball = trimesh.creation.icosphere(3, 0.1)
+        ball.apply_translation((x, 0, 0))
+        material = trimesh.visual.material.PBRMaterial(baseColorFactor=color)
+        ball.visual = trimesh.visual.TextureVisuals(material=material)
+        scene.add_geometry(ball, geom_name=name)
+    scene.export("balls.glb")
+    text = URDF.replace("collision", "visual").replace("arm.stl", "balls.glb")
+    Path("balls.urdf").write_text(text, encoding="utf-8")
+    assert main(["fit", "balls.urdf", "-o", "out/balls.urdf", "--triangles", "800", "-q"]) == 0
+    visuals = build("out/balls.urdf").robot.links["arm"].visuals
+    found = {}
+    for visual in visuals:
+        assert visual.material is not None
+        assert isinstance(visual.shape, Mesh)
+        mesh = trimesh.load(Path("out", visual.shape.filename), force="mesh")
+        assert len(mesh.faces) <= 400
+        assert mesh.extents.max() == pytest.approx(0.4, rel=0.03)
+        found[round(float(mesh.centroid[0]))] = visual.material.color
+    assert found == {
+        0: pytest.approx(parts["red"][0]),
+        2: pytest.approx(parts["blue"][0], abs=0.01),
+    }
+    assert main(["fit", "balls.urdf", "-o", "out/kept.urdf", "--triangles", "5000", "-q"]) == 0
+    kept = Path("out/kept.urdf").read_text(encoding="utf-8")
+    assert kept.count("balls.glb") == 1
+    assert "<material" not in kept

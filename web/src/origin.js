@@ -29,6 +29,8 @@ export class Origin {
     rows.push(this.row("link", "", known, robot));
     if (jointOrigin) rows.push(this.row("joint", joint.name, jointOrigin, robot));
     byId("origin-rows").replaceChildren(...rows);
+    const fits = fitsOf(robot, link, body && shape);
+    byId("origin-fits").replaceChildren(...fits.map((text) => h("div", {}, text)));
     const calls = (body ?? known).calls;
     byId("origin-calls").replaceChildren(...calls.map((call) => this.call(call, robot)));
     show(byId("origin-calls"), calls.length > 0);
@@ -77,6 +79,17 @@ export class Origin {
 function shortPlace(text) {
   const [, file, line] = /^(.*):(\d+):\d+$/.exec(text) ?? [null, text, ""];
   return `${file.split(/[\\/]/).pop()}:${line}`;
+}
+
+/** Return how good shapes are that were worked out from meshes: of the body clicked, or of all. */
+function fitsOf(robot, link, shape) {
+  return (robot.description.fits ?? [])
+    .filter((fit) => fit.link === link)
+    .filter(
+      ({ kind, index, count }) =>
+        !shape || (kind === shape.kind && index <= shape.index && shape.index < index + count),
+    )
+    .map(({ asked, quality }) => `${asked}: ${quality}`);
 }
 
 function factsOf(robot, link) {

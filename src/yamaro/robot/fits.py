@@ -345,9 +345,7 @@ def looks_of(
         rgba = None if color is None else Numbers.of(*color)
         written: dict[str, object] = {"rgba": rgba}
         element = Element("color", key.span, written, [], key.trace)
-        found.append(
-            [] if color is None else [material_of(lowering, element, color, taken=taken)]
-        )
+        found.append([] if color is None else [material_of(lowering, element, color, taken=taken)])
     return found
 
 

@@ -445,6 +445,25 @@ def test_a_urdf_opens_and_clicks_lead_to_its_lines(page: Page, view: Start, tmp_
     assert page.text("#variables-pane") == ""
 
 
+def test_a_link_says_how_good_the_shapes_are_that_were_worked_out(
+    page: Page, view: Start, tmp_path: Path
+) -> None:
+    # A box around the half box x + y + z < 1 has six times its volume; its corner is 2/√3 away.
+    faces = "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
+    (tmp_path / "corner.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n" + faces)
+    path = tmp_path / "robot.yaml"
+    path.write_text(
+        "robot: r\nmodel:\n- part: {name: a, link: {geometry: corner.obj, visual: , "
+        "collision: {fit: box, cover: true}}}\n",
+        encoding="utf-8",
+    )
+    page.show(view(path))
+    page.press("#tree [data-link=a_link]")
+    told = page.text("#origin-fits")
+    assert told.startswith("fit: box, cover: true: at most 1.15e+03 mm from the mesh")
+    assert told.endswith("500 % more volume")
+
+
 def test_a_xacro_file_opens_with_its_arguments_as_fields(
     page: Page, view: Start, tmp_path: Path
 ) -> None:

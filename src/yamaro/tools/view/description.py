@@ -129,6 +129,17 @@ class Description:
                 name: self.places.origin(joint.span, joint.trace)
                 for name, joint in robot.joints.items()
             },
+            "fits": [
+                {
+                    "link": fit.link,
+                    "kind": fit.section,
+                    "index": fit.index,
+                    "count": fit.count,
+                    "asked": fit.asked,
+                    "quality": fit.quality(),
+                }
+                for fit in robot.fits
+            ],
             "textures": self._textures(robot),
             "states": {
                 state.name: finite_positions(state.positions) for state in robot.states.values()
