@@ -268,10 +268,6 @@ def closures(robot: Robot, size: float) -> list[Closure]:
     return [Closure(robot, loops, size) for _, loops in groups]
 
 
-LEAST = 1e-12
-"""Smaller positions are noise of the solver."""
-
-
 def closed_near(
     closure: Closure, start: Mapping[str, float], said: Collection[str], driven: Collection[str]
 ) -> dict[str, float] | None:
@@ -287,11 +283,7 @@ def closed_near(
             tried.append(movable)
             found = closure.close(start, movable)
             if found is not None:
-                return {
-                    name: found[name] if abs(found[name]) > LEAST else 0.0
-                    for name in movable
-                    if found[name] != start.get(name)
-                }
+                return {name: found[name] for name in movable if found[name] != start.get(name)}
     return None
 
 

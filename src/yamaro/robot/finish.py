@@ -348,7 +348,9 @@ def close_home(lowering: Lowering, root: Element, notes: Sequence[RobotNote]) ->
         written = ""
         if changed is not None:
             positions.update(changed)
-            values = [f"{name}: {float(f'{value:.12g}')}" for name, value in changed.items()]
+            values = [
+                f"{name}: {float(f'{value:.12f}') + 0.0:.12g}" for name, value in changed.items()
+            ]
             written = f"states: {{{HOME}: {{{', '.join(values)}}}}}"
             added.append(_state(closure.loops[0].element, home, changed))
         for loop, (distance, turn) in zip(closure.loops, gaps, strict=True):
