@@ -158,23 +158,34 @@ def overlapping(
 
 def overlap(first: Convex, second: Convex) -> bool:
     """Return whether two shapes overlap by more than they may touch."""
+    return witness(first, second)[0]
+
+
+def witness(first: Convex, second: Convex) -> tuple[bool, list[Vector]]:
+    """Return whether two shapes overlap by more than they may touch, and the ways that show it.
+
+    The farthest points of their difference one way show that they do not; those four ways, which
+    are a tetrahedron around the origin, show that they do. There is none where rounding decides.
+    """
     way = minus(second.center, first.center)
     if not any(way):
-        return True
+        return True, []
     simplex = [_difference(first, second, way)]
+    ways = {simplex[0]: way}
     way = _opposite(simplex[0])
     for _ in range(MOST_STEPS):
         if not any(way):
-            return True
+            return True, []
         point = _difference(first, second, way)
         if dot(point, way) <= 0:
-            return False
+            return False, [way]
+        ways[point] = way
         simplex.append(point)
         step = _next(simplex)
         if step is None:
-            return True
+            return True, [ways[each] for each in simplex]
         simplex, way = step
-    return False
+    return False, []
 
 
 def _difference(first: Convex, second: Convex, way: Vector) -> Vector:

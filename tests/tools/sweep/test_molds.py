@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from tests.consumers.oracles import require_module
-from yamaro.tools.sweep.batch import _saved
-from yamaro.tools.sweep.molds import Mold, Unfit
+from yamaro.tools.sweep.molds import Mold, Unfit, saved
 
 HEAD = '<mujoco><compiler angle="degree" autolimits="true"/><worldbody><body>'
 TAIL = "</body></worldbody>"
@@ -29,7 +28,7 @@ def test_a_model_has_the_numbers_that_are_put_in() -> None:
         pieces = list(PIECES)
         pieces[1::2] = [repr(float(text) * chance.uniform(0.8, 1.2)) for text in PIECES[1::2]]
         read = mujoco.MjModel.from_xml_string("".join(pieces))
-        np.testing.assert_array_equal(_saved(mold.model(pieces)), _saved(read))
+        np.testing.assert_array_equal(saved(mold.model([*map(float, pieces[1::2])])), saved(read))
 
 
 @pytest.mark.parametrize(

@@ -11,6 +11,7 @@ from __future__ import annotations
 import io
 import os
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from operator import attrgetter
 from queue import Empty, Queue
 from typing import Any
 
@@ -19,6 +20,7 @@ from ...options import UsageError
 from ...output import write_files
 from ...source import Public
 from .builder import Builder
+from .molds import properties, saved
 from .plan import MJCF, Plan, import_extra
 from .replaying import LEAST, Document, Finding, to_check
 from .running import LOCAL, Engine, Status, engine_of
@@ -61,7 +63,7 @@ class Comparison:
             ValueError: MuJoCo refuses the document.
         """
         model = document.model()
-        words = _saved(model)
+        words, array = saved(model), import_extra("numpy").array
         if self.first is None:
             self.first = row.fields = _fields(model)
             row.documents["xml"] = document.text.encode()
@@ -83,12 +85,12 @@ class Comparison:
         for name in self._names:
             indices, values = self._found.setdefault(name, ([], []))
             indices.append(row.index)
-            values.append(_value(model, name))
+            values.append(array(attrgetter(name)(model)))
         return words
 
     def is_model(self, words: Any, document: Document) -> bool:
         """Return whether a model is the one that MuJoCo reads from the document."""
-        read = _saved(Document.model(document))
+        read = saved(document.read())
         return read.shape == words.shape and bool((read == words).all())
 
     def _compare(self, model: Any) -> str:
@@ -113,43 +115,16 @@ class Comparison:
         }
 
 
-def _saved(model: Any) -> Any:
-    """Return all of a model as a row of numbers."""
-    mujoco, numpy = import_extra("mujoco", "sim"), import_extra("numpy")
-    size = mujoco.mj_sizeModel(model)
-    row = numpy.zeros(-(-size // 8) * 8, numpy.uint8)
-    mujoco.mj_saveModel(model, None, row[:size])
-    return row.view(numpy.uint64)
-
-
-def _value(model: Any, name: str) -> Any:
-    """Return a copy of a field."""
-    numpy = import_extra("numpy")
-    part, _, inner = name.rpartition(".")
-    return numpy.array(getattr(getattr(model, part) if part else model, inner))
-
-
 def _fields(model: Any) -> dict[str, Any]:
     """Return the arrays of a model by name, and its names."""
     numpy = import_extra("numpy")
     found = {"names": numpy.frombuffer(model.names, dtype=numpy.uint8).copy()}
     for prefix, part in (("", model), *((f"{name}.", getattr(model, name)) for name in PARTS)):
-        for name in _names(type(part)):
+        for name in properties(type(part)):
             value = getattr(part, name)
             if isinstance(value, (float, int, numpy.ndarray)):
                 found[prefix + name] = numpy.array(value)
     return found
-
-
-_KNOWN: dict[type, list[str]] = {}
-
-
-def _names(kind: type) -> list[str]:
-    """Return the attributes of a kind of object that may be values."""
-    if kind not in _KNOWN:
-        known = ((name, getattr(kind, name)) for name in dir(kind) if name[0] != "_")
-        _KNOWN[kind] = [name for name, value in known if isinstance(value, property)]
-    return _KNOWN[kind]
 
 
 class Batch(Public):

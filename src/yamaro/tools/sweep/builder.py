@@ -104,7 +104,10 @@ class Builder:
     def rows(self, start: int, stop: int) -> Iterator[Row]:
         """Build variants from `start` up to `stop`; yield a row for each."""
         self._known_assets.clear()
-        for index, arguments in enumerate(self._space.variants(start, stop), start):
+        variants = dict(enumerate(self._space.variants(start, stop), start))
+        if self._comparison is not None:
+            self._replays.begin(variants)
+        for index, arguments in variants.items():
             known = self._first if self._first and self._first.index == index else None
             yield known or self.row(index, arguments)
 
@@ -200,7 +203,7 @@ class Builder:
     def _replay(self, row: Row) -> bool:
         """Note what there is to know of a variant without building it; return whether that is."""
         assert self._comparison is not None
-        document = self._replays.find(row.index, row.arguments)
+        document = self._replays.find(row.index)
         if document is None or self._comparison.first is None:
             return False
         try:

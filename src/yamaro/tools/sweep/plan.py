@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import os
 import platform
+import sys
 from collections.abc import Iterator, Mapping, Sequence
 from copy import copy
 from typing import Any
@@ -138,6 +139,9 @@ def import_extra(name: str, extra: str = "sweep") -> Any:
     Raises:
         YamaroError: it is not installed.
     """
+    found = sys.modules.get(name)
+    if found is not None:
+        return found
     from importlib import import_module
 
     try:

@@ -11,9 +11,8 @@ it into something else is handled as follows:
   where texts are read as numbers.
 - Where numbers have to be numbers, as in C, recording ends with `Unrecordable`.
 
-The tape is compiled to a Python function without branches, which does the same operations on the
-same types in the same order. So it gives the very same document as a build, or None where an
-outcome is another one.
+The steps of a tape are the same operations on the same types in the same order. So they give the
+very same document as a build, or none where an outcome is another one; see `columns.py`.
 
 While a variant is recorded, functions are replaced in the whole process; see `replacing.py`.
 That is why only the process of a worker, which builds one variant at a time, records.
@@ -33,87 +32,143 @@ from ...model.pose import Pose
 from ...model.shapes import Box, Capsule, Cylinder, Sphere
 
 MARK = re.compile(r"\?y(\d+)\?")
-MOST_LINES = 60_000
-"""Lines of a tape: a longer one takes more time than a build."""
-
-Replay = Callable[..., "tuple[str, ...] | None"]
+MOST_STEPS = 60_000
+"""Steps of a tape: a longer one takes more time than a build."""
 
 
 class Unrecordable(BaseException):
     """A recorded number is needed as a plain one; not an Exception, so that nothing handles it."""
 
 
+class Constant:
+    """What is the same for all variants."""
+
+    __slots__ = ("value",)
+
+    def __init__(self, value: object) -> None:
+        self.value = value
+
+
+class Part:
+    """A value with others in it: a text, a tuple, a list, or an object with these attributes."""
+
+    __slots__ = ("kind", "names", "parts")
+
+    def __init__(self, kind: type, parts: Sequence[Operand], names: Sequence[str] = ()) -> None:
+        self.kind = kind
+        self.parts = parts
+        self.names = names
+
+
+Operand = int | Constant | Part
+"""An operand of a step; a number is that of the column with its values."""
+
+
+class Step:
+    """An operation.
+
+    Attributes:
+        function: what is called.
+        operands: what it is called with.
+        kind: the type of its results, which are the next column; None for a condition.
+        expected: of a condition, the result that it has to have; of tuples, their length.
+    """
+
+    __slots__ = ("expected", "function", "kind", "operands")
+
+    def __init__(
+        self,
+        function: Callable[..., Any],
+        operands: Sequence[Operand],
+        kind: type | None,
+        expected: object = None,
+    ) -> None:
+        self.function = function
+        self.operands = operands
+        self.kind = kind
+        self.expected = expected
+
+
+class Recording:
+    """The document of a build as a function of some arguments.
+
+    Attributes:
+        width: how many arguments there are, which are the first columns.
+        steps: what is computed of them.
+        pieces: the document; every second piece is an operand, and a text that was computed.
+        witnesses: what has shown that two shapes overlap or not, by their operands.
+    """
+
+    __slots__ = ("pieces", "steps", "width", "witnesses")
+
+    def __init__(self, width: int, steps: Sequence[Step], pieces: Sequence[Any]) -> None:
+        self.width = width
+        self.steps = steps
+        self.pieces = pieces
+        self.witnesses: dict[tuple[int, int], list[Any]] = {}
+
+
 class Tape:
     """What is computed of the arguments of one variant.
 
     Attributes:
-        lines: the statements of the function, in order.
         is_broken: whether something was computed that is not on it.
     """
 
-    def __init__(self) -> None:
-        """Begin with nothing on it."""
-        self.lines: list[str] = []
+    def __init__(self, width: int) -> None:
+        """Begin with some arguments, which are the first columns, and no steps."""
         self.is_broken = False
-        self._variables: dict[str, str] = {}  # by expression
-        self._results: dict[str, tuple[Any]] = {}
-        self._objects: dict[int, tuple[str, object]] = {}  # by identity
-        self._texts: list[tuple[str, str]] = []  # variable and concrete text, by the number of mark
-        self._constants: dict[str, Any] = {}
-        self._names: dict[int, str] = {}
-        self._guards: set[str] = set()
+        self._width = self._columns = width
+        self._steps: list[Step] = []
+        self._results: dict[object, tuple[Any]] = {}  # by function and operands
+        self._operands: dict[object, tuple[Operand, object]] = {}  # by what they are made of
+        self._texts: list[tuple[int, str]] = []  # column and concrete text, by the number of mark
 
     def refuse(self, why: str) -> Unrecordable:
         """Return what ends the recording."""
         self.is_broken = True
         return Unrecordable(why)
 
-    # --- what statements are made of ---
-
-    def constant(self, value: object) -> str:
-        """Return the name of a value that is the same for all variants."""
-        name = self._names.get(id(value))
-        if name is None:
-            name = self._names[id(value)] = f"c{len(self._names)}"
-            self._constants[name] = value
-        return name
-
-    def expression(self, value: Any) -> str:
-        """Return an expression that gives a value, recorded or not."""
+    def operand(self, value: Any) -> Operand:
+        """Return an operand that has a value, recorded or not; the same for the same value."""
         kind = type(value)
         if kind is Number:
-            return value.variable  # type: ignore[no-any-return]
-        if (kind is float and value - value == 0) or kind is int or kind is bool:
-            text = repr(value)
-            return f"({text})" if text[0] == "-" else text
+            return value.column  # type: ignore[no-any-return]
         if kind is str:
-            return self._text(value) if MARK.search(value) else repr(value)
+            first, *rest = MARK.split(value)
+            if not rest:
+                return self._only((str, value), value)
+            pieces: list[Operand] = [self.operand(first)] if first else []
+            for number, text in zip(rest[::2], rest[1::2], strict=True):
+                pieces.append(self._texts[int(number)][0])
+                if text:
+                    pieces.append(self.operand(text))
+            return pieces[0] if len(pieces) == 1 else self._part(str, pieces)
         if kind in (tuple, list):
-            inner = "".join(f"{self.expression(each)}, " for each in value)
-            return f"({inner})" if kind is tuple else f"[{inner}]"
+            return self._part(kind, [*map(self.operand, value)])
         if kind in OBJECTS:
-            known = self._objects.get(id(value))
-            if known is None:
+            found = self._operands.get(id(value))
+            if found is None:
                 names = [name for name in kind.__slots__ if hasattr(value, name)]
-                parts = self.expression(tuple(getattr(value, name) for name in names))
-                inner = f"{self.constant(kind)}, {self.constant(names)}, {parts}"
-                made = self._variable(f"{self.constant(made_again)}({inner})")
-                known = self._objects[id(value)] = made, value
-            return known[0]
-        return self.constant(value)
+                parts = [self.operand(getattr(value, name)) for name in names]
+                found = self._operands[id(value)] = self._part(kind, parts, names), value
+            return found[0]
+        is_number = kind in (float, int, bool)
+        return self._only((kind, repr(value)) if is_number else id(value), value)
 
-    def _text(self, text: str) -> str:
-        """Return an expression for a text with marks in it."""
-        pieces = []
-        start = 0
-        for found in MARK.finditer(text):
-            if found.start() > start:
-                pieces.append(repr(text[start : found.start()]))
-            pieces.append(self._texts[int(found[1])][0])
-            start = found.end()
-        if start < len(text):
-            pieces.append(repr(text[start:]))
-        return pieces[0] if len(pieces) == 1 else f"({' + '.join(pieces)})"
+    def _only(self, key: object, value: object) -> Operand:
+        """Return the only constant that has a value."""
+        found = self._operands.get(key)
+        if found is None:
+            found = self._operands[key] = Constant(value), value
+        return found[0]
+
+    def _part(self, kind: type, parts: Sequence[Operand], names: Sequence[str] = ()) -> Operand:
+        key = (kind, *map(_identity, parts))
+        found = self._operands.get(key)
+        if found is None:
+            found = self._operands[key] = Part(kind, parts, names), None
+        return found[0]
 
     def concrete(self, value: Any) -> Any:
         """Return a value as it is for the variant that is recorded."""
@@ -130,78 +185,68 @@ class Tape:
             return made_again(kind, names, parts)
         return value
 
-    # --- statements ---
+    # --- steps ---
 
-    def compute(self, text: str, value: Any) -> Any:
-        """Note an expression, and return its value, recorded."""
-        known = self._results.get(text)
+    def compute(self, function: Callable[..., Any], given: Sequence[Any], value: Any) -> Any:
+        """Note that a function of something is a value, and return that, recorded."""
+        operands = [*map(self.operand, given)]
+        key = (function, *map(_identity, operands))
+        known = self._results.get(key)
         if known is None:
-            known = self._results[text] = (self._recorded(self._variable(text), value),)
+            known = self._results[key] = (self._recorded(function, operands, value),)
         return known[0]
 
-    def _variable(self, text: str) -> str:
-        """Return the variable that has the value of an expression."""
-        variable = self._variables.get(text)
-        if variable is None:
-            if len(self.lines) > MOST_LINES:
-                raise self.refuse("too long")
-            variable = self._variables[text] = f"t{len(self.lines)}"
-            self.lines.append(f" {variable} = {text}")
-        return variable
-
-    def _recorded(self, variable: str, value: Any) -> Any:
+    def _recorded(
+        self, function: Callable[..., Any], operands: Sequence[Operand], value: Any
+    ) -> Any:
         kind = type(value)
-        if kind is float or kind is int:
-            return Number(self, variable, value)
+        if kind is bool or value is None:
+            self._note(Step(function, operands, None, value))
+            return value
+        if kind not in (float, int, str, tuple):
+            raise self.refuse(f"a {kind.__name__}")
+        self._note(Step(function, operands, kind, len(value) if kind is tuple else None))
+        column = self._columns
+        self._columns += 1
         if kind is str:
-            self._texts.append((variable, value))
+            self._texts.append((column, value))
             return f"?y{len(self._texts) - 1}?"
         if kind is tuple:
-            self.require(f"len({variable}) == {len(value)}")
-            each = [self.compute(f"{variable}[{at}]", part) for at, part in enumerate(value)]
-            return tuple(each)
-        if kind is bool or value is None:
-            self.require(f"{variable} is {value}")
-            return value
-        raise self.refuse(f"a {kind.__name__}")
+            whole = Number(self, column, 0.0)
+            return tuple(
+                self.compute(operator.getitem, (whole, at), part) for at, part in enumerate(value)
+            )
+        return Number(self, column, value)
 
-    def require(self, condition: str) -> None:
-        """Note that the rest holds only where a condition does."""
-        if condition not in self._guards:
-            self._guards.add(condition)
-            self.lines.append(f" if not {condition}: return None")
+    def _note(self, step: Step) -> None:
+        if len(self._steps) > MOST_STEPS:
+            raise self.refuse("too long")
+        self._steps.append(step)
 
-    def outcome(self, condition: str, value: bool) -> bool:
-        """Note the outcome of a comparison, and return it."""
-        self.require(f"({condition})" if value else f"(not ({condition}))")
-        return value
-
-    def call(self, function: Callable[..., Any], *given: Any, **named: Any) -> Any:
+    def call(self, function: Callable[..., Any], *given: Any) -> Any:
         """Call a function that depends on its arguments alone, and return its result, recorded."""
-        result = function(*map(self.concrete, given), **named)
-        words = ", ".join(
-            [*map(self.expression, given), *(f"{key}={value!r}" for key, value in named.items())]
-        )
-        return self.compute(f"{self.constant(function)}({words})", result)
+        return self.compute(function, given, function(*map(self.concrete, given)))
 
     def settle(self, function: Callable[..., Any], *given: Any) -> Any:
         """Call such a function, and return its result, which is to be the same for others."""
-        result = function(*map(self.concrete, given))
-        words = ", ".join(map(self.expression, given))
-        self.require(f"({self.constant(function)}({words}) == {self.constant(result)})")
-        return result
+        operands = [*map(self.operand, given)]
+        key = (function, None, *map(_identity, operands))
+        known = self._results.get(key)
+        if known is None:
+            known = self._results[key] = (function(*map(self.concrete, given)),)
+            self._note(Step(function, operands, None, *known))
+        return known[0]
 
-    def compiled(self, names: Sequence[str], text: str) -> Replay:
-        """Return the function: of the arguments, in order, to a text with marks in it."""
-        first, *rest = MARK.split(text)  # texts and numbers of marks in turn
-        pieces = [self.constant(first)]
-        for number, part in zip(rest[::2], rest[1::2], strict=True):
-            pieces += (self._texts[int(number)][0], self.constant(part))
-        lines = [f"def replay({', '.join(names)}):", *self.lines]
-        lines.append(f" return ({', '.join(pieces)},)")
-        names_of: dict[str, Any] = self._constants
-        exec(compile("\n".join(lines), "<recording>", "exec"), names_of)
-        return names_of["replay"]  # type: ignore[no-any-return]
+    def recording(self, text: str) -> Recording:
+        """Return what was recorded, with a text with marks in it as the document."""
+        pieces: list[Any] = MARK.split(text)  # texts and numbers of marks in turn
+        pieces[1::2] = [self._texts[int(number)][0] for number in pieces[1::2]]
+        return Recording(self._width, self._steps, pieces)
+
+
+def _identity(operand: Operand) -> object:
+    """Return what is another one for other operands."""
+    return operand if type(operand) is int else (id(operand),)
 
 
 def made_again(kind: type, names: Sequence[str], parts: Sequence[Any]) -> Any:
@@ -217,10 +262,8 @@ def made_again(kind: type, names: Sequence[str], parts: Sequence[Any]) -> Any:
 
 OURS = __name__.partition(".")[0] + "."
 PLAIN = (int, float)
-_BINARY = {
-    "add": "+", "sub": "-", "mul": "*", "truediv": "/", "floordiv": "//", "mod": "%", "pow": "**",
-}  # fmt: skip
-_COMPARISONS = {"lt": "<", "le": "<=", "gt": ">", "ge": ">=", "eq": "==", "ne": "!="}
+_BINARY = ("add", "sub", "mul", "truediv", "floordiv", "mod", "pow")
+_COMPARISONS = ("lt", "le", "gt", "ge", "eq", "ne")
 
 
 class Number:
@@ -228,16 +271,16 @@ class Number:
 
     Attributes:
         tape: the tape.
-        variable: its name there.
+        column: the number of its column.
         value: what it is for the variant that is recorded.
     """
 
-    __slots__ = ("tape", "value", "variable")
+    __slots__ = ("column", "tape", "value")
     __array_ufunc__ = None  # so that numpy leaves operations to it
 
-    def __init__(self, tape: Tape, variable: str, value: float) -> None:
+    def __init__(self, tape: Tape, column: int, value: float) -> None:
         self.tape = tape
-        self.variable = variable
+        self.column = column
         self.value = value
 
     @property  # type: ignore[misc]
@@ -249,14 +292,11 @@ class Number:
         """Refuse all that is not written here."""
         raise self.tape.refuse(name)
 
-    def _made(self, text: str, value: Any) -> Any:
-        return self.tape.compute(text, value)
-
     def __bool__(self) -> bool:
-        return self.tape.outcome(f"{self.variable} != 0", self.value != 0)
+        return self.tape.call(operator.ne, self, 0)  # type: ignore[no-any-return]
 
     def __neg__(self) -> Any:
-        return self._made(f"-{self.variable}", -self.value)
+        return self.tape.call(operator.neg, self)
 
     def __pos__(self) -> Any:
         return self
@@ -268,9 +308,7 @@ class Number:
         return self.tape.call(round, self, *(() if digits is None else (digits,)))
 
     def __int__(self) -> int:
-        found = int(self.value)
-        self.tape.require(f"int({self.variable}) == {found}")
-        return found
+        return self.tape.settle(int, self)  # type: ignore[no-any-return]
 
     def __index__(self) -> int:
         if type(self.value) is float:
@@ -303,7 +341,7 @@ class Number:
         """
         if not str(sys._getframe(1).f_globals.get("__name__")).startswith(OURS):
             raise self.tape.refuse("hash")
-        return hash(self.variable)
+        return hash(("column", self.column))
 
     def __array__(self, *given: Any, **named: Any) -> Any:
         raise self.tape.refuse("array")
@@ -332,42 +370,22 @@ def _is_integer(value: float) -> bool:
     return float(value).is_integer()
 
 
-def _binary(name: str, sign: str) -> None:
+def _binary(name: str) -> None:
     operate = getattr(operator, name)
 
     def forward(self: Number, other: Any) -> Any:
         if not isinstance(other, PLAIN):
             return NotImplemented
-        return _operation(self.tape, self, sign, other)
+        return self.tape.call(operate, self, _plain(other))
 
     def backward(self: Number, other: Any) -> Any:
         if not isinstance(other, PLAIN):
             return NotImplemented
-        return _operation(self.tape, other, sign, self)
-
-    def _operation(tape: Tape, left: Any, sign: str, right: Any) -> Any:
-        left, right = _plain(left), _plain(right)
-        value = operate(tape.concrete(left), tape.concrete(right))
-        found = tape.compute(f"{tape.expression(left)} {sign} {tape.expression(right)}", value)
-        if sign == "**":  # which of negative numbers is complex, of whole ones no longer whole
-            tape.require(f"type({found.variable}) is {type(value).__name__}")
-        return found
+        return self.tape.call(operate, _plain(other), self)
 
     setattr(Number, f"__{name}__", forward)
-    setattr(Number, f"__r{name}__", backward)
-
-
-def _comparison(name: str, sign: str) -> None:
-    compare = getattr(operator, name)
-
-    def compared(self: Number, other: Any) -> Any:
-        if not isinstance(other, PLAIN):
-            return NotImplemented
-        tape, other = self.tape, _plain(other)
-        text = f"{self.variable} {sign} {tape.expression(other)}"
-        return tape.outcome(text, compare(self.value, tape.concrete(other)))
-
-    setattr(Number, f"__{name}__", compared)
+    if name not in _COMPARISONS:
+        setattr(Number, f"__r{name}__", backward)
 
 
 def _plain(value: Any) -> Any:
@@ -378,10 +396,8 @@ def _plain(value: Any) -> Any:
     return float(value) if isinstance(value, float) else int(value)
 
 
-for _name, _sign in _BINARY.items():
-    _binary(_name, _sign)
-for _name, _sign in _COMPARISONS.items():
-    _comparison(_name, _sign)
+for _name in (*_BINARY, *_COMPARISONS):
+    _binary(_name)
 
 OBJECTS = frozenset((Convex, Pose, Box, Capsule, Cylinder, Sphere))
 """The kinds of objects that functions get, with numbers in them."""
@@ -406,7 +422,7 @@ def is_recorded(value: Any) -> bool:
 
 def record(
     arguments: dict[str, Any], names: Sequence[str], build: Callable[[dict[str, Any]], str]
-) -> Replay | None:
+) -> Recording | None:
     """Return the document of a build as a function of some of its arguments.
 
     Args:
@@ -415,24 +431,19 @@ def record(
         build: builds with arguments, and returns the document.
 
     Returns:
-        The function: its result is the document in pieces, of which every second one is text that
-        was computed, or None for what takes another way. None if there is no such function.
+        The function; None if there is none.
     """
     from .replacing import replaced
 
-    parameters = [f"a{at}" for at in range(len(names))]
     loaded = -1
     while loaded != len(sys.modules):  # again, if there are modules in which nothing was replaced
         loaded = len(sys.modules)
-        tape = Tape()
-        given = {
-            name: Number(tape, parameter, arguments[name])
-            for name, parameter in zip(names, parameters, strict=True)
-        }
+        tape = Tape(len(names))
+        given = {name: Number(tape, at, arguments[name]) for at, name in enumerate(names)}
         text = None
         try:
             with replaced(tape):
                 text = build({**arguments, **given})
         except (Unrecordable, Exception):
             continue
-    return None if text is None or tape.is_broken else tape.compiled(parameters, text)
+    return None if text is None or tape.is_broken else tape.recording(text)

@@ -102,7 +102,7 @@ def replaced(tape: Tape) -> Iterator[None]:
 
 def _modules() -> list[ModuleType]:
     """Return the modules of Yamaro, except for those that record."""
-    apart = (__name__, Tape.__module__)
+    apart = (__name__, Tape.__module__, f"{__package__}.columns")
     return [
         each for name, each in [*sys.modules.items()] if name.startswith(OURS) and name not in apart
     ]

@@ -10,9 +10,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
+from .columns import Columns
 from .molds import Mold
 from .plan import Plan, Space, import_extra
-from .recording import Replay, record
+from .recording import Recording, record
 
 CHECKED = 8
 """Variants of a batch, evenly spaced, that are built as well; the extremes come on top."""
@@ -32,72 +33,107 @@ class Document:
     """The document of a variant.
 
     Attributes:
-        text: the document.
         files: what belongs beside it, by path.
         warnings: what was found.
     """
 
-    __slots__ = ("files", "text", "warnings")
+    __slots__ = ("_text", "files", "warnings")
 
     def __init__(self, text: str, files: Mapping[str, bytes], warnings: Sequence[Finding]) -> None:
-        self.text = text
+        self._text = text
         self.files = files
         self.warnings = warnings
 
-    def model(self) -> Any:
-        """Return what MuJoCo compiles of it; raise ValueError if it refuses it."""
+    @property
+    def text(self) -> str:
+        """Return the document."""
+        return self._text
+
+    def read(self) -> Any:
+        """Return the model that MuJoCo reads from it; raise ValueError if it refuses it."""
         mujoco = import_extra("mujoco", "sim")
         return mujoco.MjModel.from_xml_string(self.text, dict(self.files))
 
+    def model(self) -> Any:
+        """Return this model, perhaps made in another way; it is valid until the next one."""
+        return self.read()
+
 
 class Replayed(Document):
-    """A document that was not built."""
+    """A document that was not built.
 
-    __slots__ = ("_pieces", "_way", "is_to_check")
+    Attributes:
+        is_to_check: whether it is to be compared with a build.
+    """
 
-    def __init__(self, pieces: tuple[str, ...], way: _Way, *, is_to_check: bool) -> None:
-        super().__init__("".join(pieces), way.document.files, way.document.warnings)
-        self._pieces = pieces
+    __slots__ = ("_columns", "_row", "_way", "is_to_check")
+
+    def __init__(self, way: _Way, columns: Columns, row: int) -> None:
+        """Take what was computed of a variant of a way."""
+        super().__init__("", way.document.files, way.document.warnings)
         self._way = way
-        self.is_to_check = is_to_check
+        self._columns = columns
+        self._row = row
+        self.is_to_check = False
+
+    @property
+    def text(self) -> str:
+        """Return the document."""
+        return "".join(self._columns.pieces(self._row))
 
     def model(self) -> Any:
         """Return what MuJoCo compiles of it; raise ValueError if it refuses it."""
-        mold = self._way.mold_for(self._pieces)
+        mold = self._way.mold
         if mold is not None:
             try:
-                return mold.model(self._pieces)
+                return mold.model([float(each[self._row]) for each in self._columns.texts])
             except ValueError:  # after which nobody knows what the mold holds
                 self._way.mold = None
-        return super().model()
+        return self.read()
 
 
 class _Way:
     """What variants have in common that are built in the same way.
 
     Attributes:
-        function: gives the document of each of them, and None for others.
+        recording: gives the document of each of them.
         document: that of the one that was recorded.
         hits: how many documents it has given.
         mold: gives their models; None before there are some, and if it cannot.
     """
 
-    __slots__ = ("document", "function", "hits", "mold")
+    __slots__ = ("document", "hits", "mold", "recording")
 
-    def __init__(self, function: Replay, document: Document) -> None:
-        self.function = function
+    def __init__(self, recording: Recording, document: Document) -> None:
+        self.recording = recording
         self.document = document
         self.hits = 0
         self.mold: Mold | None = None
 
-    def mold_for(self, pieces: tuple[str, ...]) -> Mold | None:
-        """Return a model with other numbers, or None if there is none."""
-        if self.hits == MOLDED:
+    def documents(self, variants: Sequence[Mapping[str, Any]]) -> list[Replayed | None]:
+        """Return the documents of variants with numbers at the same arguments, as far as known."""
+        numbers = [
+            [value for value in arguments.values() if type(value) in (int, float)]
+            for arguments in variants
+        ]
+        columns = Columns(self.recording, [*zip(*numbers, strict=True)])
+        found = [
+            Replayed(self, columns, row) if is_good else None
+            for row, is_good in enumerate(columns.good.tolist())
+        ]
+        good = [each for each in found if each is not None]
+        if not good:
+            return found
+        good[0].is_to_check = not self.hits
+        if self.hits < MOLDED <= self.hits + len(good):
+            good[0].is_to_check = True
             try:
-                self.mold = Mold(pieces, self.document.files)
+                first = int(columns.good.argmax())
+                self.mold = Mold(columns.pieces(first), self.document.files)
             except Exception:  # then MuJoCo reads each document
                 self.mold = None
-        return self.mold
+        self.hits += len(good)
+        return found
 
 
 class Replays:
@@ -112,27 +148,38 @@ class Replays:
         self.checked = plan.checked
         self._build = build
         self._ways: dict[object, list[_Way]] = {}
+        self._unknown: dict[object, dict[int, Mapping[str, Any]]] = {}  # by kind and number
+        self._known: dict[int, Replayed] = {}
         self._tries = self._hits = 0
         self._is_off = not (plan.is_recorded and plan.options.policy.is_trusted)
 
-    def find(self, index: int, arguments: Mapping[str, Any]) -> Replayed | None:
+    def begin(self, variants: Mapping[int, Mapping[str, Any]]) -> None:
+        """Begin with other variants, of which `find` is asked for: their numbers and arguments."""
+        self._unknown, self._known = {}, {}
+        for index, arguments in variants.items():
+            self._unknown.setdefault(_kind_of(arguments), {})[index] = arguments
+        for kind, ways in self._ways.items():
+            for way in ways:
+                self._look(kind, way)
+
+    def _look(self, kind: object, way: _Way) -> None:
+        """Find the documents of variants that are of a way."""
+        variants = self._unknown.get(kind)
+        if not variants:
+            return
+        for index, document in zip([*variants], way.documents([*variants.values()]), strict=True):
+            if document is not None:
+                document.is_to_check |= index in self.checked
+                self._known[index] = document
+                del variants[index]
+
+    def find(self, index: int) -> Replayed | None:
         """Return the document of a variant, if it is known."""
-        numbers = [value for value in arguments.values() if type(value) in (int, float)]
-        ways = self._ways.get(_kind_of(arguments), [])
-        for at, way in enumerate(ways):
-            try:
-                pieces = way.function(*numbers)
-            except Exception:  # a build says what is wrong
-                continue
-            if pieces is None:
-                continue
-            self._hits += 1
-            way.hits += 1
-            if at:  # those taken often come first
-                ways[at - 1], ways[at] = way, ways[at - 1]
-            is_new = way.hits in (1, MOLDED + 1)
-            return Replayed(pieces, way, is_to_check=is_new or index in self.checked)
-        return None
+        for variants in self._unknown.values():
+            variants.pop(index, None)
+        found = self._known.pop(index, None)
+        self._hits += found is not None
+        return found
 
     def learn(self, arguments: Mapping[str, Any], document: Document) -> None:
         """Record the way in which a variant is built; `document` is what came out."""
@@ -140,13 +187,16 @@ class Replays:
             return
         names = [name for name, value in arguments.items() if type(value) in (int, float)]
         self._tries += 1
-        function = record(dict(arguments), names, self._build) if names else None
-        if function is None:
+        recording = record(dict(arguments), names, self._build) if names else None
+        if recording is None:
             return
-        pieces = function(*[arguments[name] for name in names])
-        if pieces is not None and "".join(pieces) == document.text:
-            ways = self._ways.setdefault(_kind_of(arguments), [])
-            ways.append(_Way(function, document))
+        way = _Way(recording, document)
+        (found,) = way.documents([arguments])
+        if found is not None and found.text == document.text:
+            way.hits = 0
+            kind = _kind_of(arguments)
+            self._ways.setdefault(kind, []).append(way)
+            self._look(kind, way)
 
 
 def _kind_of(arguments: Mapping[str, Any]) -> object:
