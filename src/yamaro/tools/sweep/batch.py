@@ -12,7 +12,9 @@ import io
 import os
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from operator import attrgetter
-from queue import Empty, Queue
+from queue import Queue
+from threading import Lock
+from time import monotonic
 from typing import Any
 
 from ...diagnostics import YamaroError, failure, failure_of_all
@@ -30,8 +32,12 @@ from .worker import Child, ChildEnded
 ENDING = ".npz"
 PARTS = ("opt", "stat")
 """Parts of a model that have numbers of their own: `stat.meaninertia`."""
-CHUNK = 64
+LEAST_CHUNK, MOST_CHUNK = 16, 512
 """Variants that a worker is given at a time."""
+CHUNK_SECONDS = 0.25
+"""How long they are to take."""
+STARTING = 2.0
+"""Seconds of work that are worth another worker: it needs half of that until it begins."""
 MOST_FINDINGS = 10
 """Kinds of errors and warnings that are shown."""
 Found = tuple[Any, Any]
@@ -329,12 +335,9 @@ def _batch(plan: Plan, engine: str | None, on_progress: Callable[[Status], None]
 
 def _chunks(plan: Plan, engine: Engine) -> Iterator[tuple[list[Row], dict[str, Found]]]:
     """Yield the rows of all variants in any order, each chunk with the fields that differ."""
-    bounds = [(low, min(low + CHUNK, plan.samples)) for low in range(0, plan.samples, CHUNK)]
-    count = min(engine.workers, len(bounds))
-    plan.first = 0  # which nearly always can be built, so that all processes can begin with it
     if plan.is_recorded:
         plan.checked = to_check(plan)
-    children = [Child(plan, "") for _ in range(count)]
+    children = [Child(plan, "")]
     try:
         start = 0
         for start in range(plan.samples):
@@ -342,44 +345,67 @@ def _chunks(plan: Plan, engine: Engine) -> Iterator[tuple[list[Row], dict[str, F
             yield [row], {}
             if row.status == OK:
                 break
-        if start:
-            for each in children[1:]:
-                each.close()
-            plan.first = start
-            children[1:] = [Child(plan, "") for _ in range(count - 1)]
-        waiting: Queue[tuple[int, int]] = Queue()
-        for low, high in bounds:
-            if high > start + 1:
-                waiting.put((max(low, start + 1), high))
-        found: Queue[tuple[list[Row], dict[str, Found]] | BaseException | None] = Queue()
+        plan.first = start
+        rest = _Rest(start + 1, plan.samples)
+        found: Queue[tuple[list[Row], dict[str, Found], float] | BaseException | None] = Queue()
 
         def work(own: Child) -> None:
+            size = LEAST_CHUNK
             try:
-                while True:
-                    rows = [*own.rows(*waiting.get_nowait())]
-                    found.put((rows, own.fields))
-            except Empty:
+                while bounds := rest.take(size, len(children)):
+                    began = monotonic()
+                    rows = [*own.rows(*bounds)]
+                    each = (monotonic() - began) / len(rows)
+                    found.put((rows, own.fields, each))
+                    size = min(max(int(CHUNK_SECONDS / each), LEAST_CHUNK), MOST_CHUNK)
                 found.put(None)
             except BaseException as error:
                 found.put(error)
 
-        for each in children:
-            engine.submit(work, each)
-        while count:
+        engine.submit(work, children[0])
+        chunks, working = 0, 1
+        while working:
             got = found.get()
             if isinstance(got, BaseException):
                 raise got
             if got is None:
-                count -= 1
-            else:
-                yield got
+                working -= 1
+                continue
+            rows, fields, each = got
+            yield rows, fields
+            chunks += 1  # the first one learns how to go on
+            if chunks > 1 and len(children) < engine.workers and rest.left * each > STARTING:
+                children.append(Child(plan, ""))
+                working += 1
+                engine.submit(work, children[-1])
     except ChildEnded as error:
         why = "took too long" if error.is_late else f"ended with {error.status}"
         message = f"the process of a variant {why}"
         raise failure_of_all("sweep-batch", message, "sweep", None) from None
     finally:
-        for each in children:
-            each.close()
+        for each_child in children:
+            each_child.close()
+
+
+class _Rest:
+    """The variants that no worker was given yet."""
+
+    def __init__(self, start: int, stop: int) -> None:
+        self._start, self._stop = start, stop
+        self._lock = Lock()
+
+    @property
+    def left(self) -> int:
+        """Return how many there are."""
+        return self._stop - self._start
+
+    def take(self, most: int, workers: int) -> tuple[int, int] | None:
+        """Return the first of some variants, and the one after their last; None if none is left."""
+        with self._lock:
+            start = self._start
+            fair = max(self.left // (2 * workers), LEAST_CHUNK)
+            self._start = min(start + min(most, fair), self._stop)
+            return (start, self._start) if start < self._start else None
 
 
 def _unlike(plan: Plan, first: Row, other: Row) -> YamaroError:
