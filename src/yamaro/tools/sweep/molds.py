@@ -186,7 +186,7 @@ class Cast:
         """Give the model other numbers; return whether they differ in nothing but size.
 
         MuJoCo refuses some numbers, and zeros may mean that something is not there. Where signs
-        are the same, ranges have a width, and moments of inertia are possible, this is no question.
+        are the same, ranges have a width, and moments of inertia are possible, neither can happen.
         """
         mujoco, numpy = import_extra("mujoco", "sim"), import_extra("numpy")
         numbers = numpy.array(values)
