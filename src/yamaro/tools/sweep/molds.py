@@ -12,6 +12,7 @@ left to be computed here.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
@@ -41,6 +42,10 @@ MENDED = ("balanceinertia", "boundinertia", "boundmass", "settotalmass")
 
 Holes = dict[tuple[type, float], tuple[int, float]]
 """Which number of a document, and with which sign, a value is, by its type."""
+Turn = tuple[Any, Any, Any, Any]
+"""A quaternion, which of its parts are numbers of a document, which of these, and their signs."""
+Turns = dict[tuple[float, ...], Turn]
+"""Those in a document, by what MuJoCo makes of them: quaternions of length 1."""
 
 
 class Unfit(Exception):
@@ -92,10 +97,27 @@ class Mold:
             raise Unfit
         self._cast: Cast | None = None
         if not any(getattr(self._spec.compiler, name, 0) > 0 for name in MENDED):
+            models = self._spec.compile(), other.compile()
             try:
-                self._cast = Cast(self._spec.compile(), other.compile(), given, others, holes)
+                self._cast = Cast(*models, given, others, holes, self._turns(others))
             except Unfit:
                 pass
+
+    def _turns(self, others: Sequence[float]) -> Turns:
+        """Return the quaternions of the document that numbers are in."""
+        numpy = import_extra("numpy")
+        rows: dict[int, list[tuple[Any, int, int, float]]] = {}
+        for owner, place, at, sign in self._places:
+            if type(place) is int and type(owner) is numpy.ndarray and owner.shape == (4,):
+                rows.setdefault(id(owner), []).append((owner, place, at, sign))
+        found: Turns = {}
+        for each in rows.values():
+            raw = each[0][0].copy()
+            places, at, signs = (numpy.array(part) for part in [*zip(*each, strict=True)][1:])
+            other = raw.copy()
+            other[places] = numpy.array(others)[at] * signs
+            found[tuple(_unit(other).tolist())] = raw, places, at, signs
+        return found
 
     def model(self, values: Sequence[float]) -> Any:
         """Return the model of a document with other numbers; it is valid until the next one.
@@ -121,8 +143,9 @@ class Cast:
     """
 
     def __init__(
-        self, base: Any, other: Any, given: Sequence[float], others: Sequence[float], holes: Holes
-    ) -> None:
+        self, base: Any, other: Any, given: Sequence[float], others: Sequence[float],
+        holes: Holes, turns: Turns,
+    ) -> None:  # fmt: skip
         """Find the numbers of a document in the model, by that of another document.
 
         Args:
@@ -131,6 +154,7 @@ class Cast:
             given: the numbers of the document.
             others: the numbers of the other document.
             holes: which of these a value is.
+            turns: which quaternions it has, of the other document.
 
         Raises:
             Unfit: MuJoCo does not derive all that depends on them.
@@ -142,7 +166,8 @@ class Cast:
         self._data = mujoco.MjData(base)
         self._frames = base.body_sameframe.copy()
         self._puts: list[tuple[Any, Any, Any, Any]] = []
-        self._ranges: list[Any] = []
+        self._ranges: list[tuple[Any, Any]] = []
+        self._turns: list[tuple[Any, Turn]] = []
         signed: set[int] = set()
         for one, two in ((base, other), (base.opt, other.opt)):
             for name in properties(type(one)):
@@ -153,6 +178,12 @@ class Cast:
                 row, changed = value.reshape(-1), getattr(two, name).reshape(-1)
                 if row.shape != changed.shape:
                     raise Unfit
+                if name.endswith("quat"):
+                    pairs = zip(row.reshape(-1, 4), changed.reshape(-1, 4).tolist(), strict=True)
+                    self._turns += [
+                        (each, turns[key]) for each, new in pairs if (key := tuple(new)) in turns
+                    ]
+                    continue
                 found = [
                     (place, *holes[key])
                     for place in numpy.flatnonzero(row != changed).tolist()
@@ -167,7 +198,7 @@ class Cast:
                     continue
                 self._puts.append((row, *map(numpy.array, zip(*places, strict=True))))
                 if name.endswith(RANGE):
-                    self._ranges.append(value)
+                    self._ranges.append((value, value[:, 0] < value[:, 1]))
                 elif not name.endswith(FREE):
                     signed.update(at for _, at, _ in places)
         self._least = mujoco.mjMINVAL
@@ -194,10 +225,13 @@ class Cast:
             return False
         for row, places, at, signs in self._puts:
             row[places] = numbers[at] * signs
+        for row, (raw, places, at, signs) in self._turns:
+            raw[places] = numbers[at] * signs
+            row[:] = _unit(raw)
         x, y, z = self.model.body_inertia.T
         if not ((x + y >= z) & (y + z >= x) & (z + x >= y)).all():
             return False
-        if not all((each[:, 0] < each[:, 1]).all() for each in self._ranges):
+        if not all(((each[:, 0] < each[:, 1]) == was).all() for each, was in self._ranges):
             return False
         mujoco.mj_setConst(self.model, self._data)
         self._set_statistics()
@@ -234,6 +268,12 @@ class Cast:
         found.meanmass = model.body_mass[1:].cumsum()[-1] / others
         if model.nv:
             found.meaninertia = model.dof_M0.cumsum()[-1] / model.nv
+
+
+def _unit(quaternion: Any) -> Any:
+    """Return a quaternion of length 1, with the digits that MuJoCo's compiler gives it."""
+    w, x, y, z = quaternion.tolist()
+    return quaternion / math.sqrt(w * w + x * x + y * y + z * z)
 
 
 def saved(model: Any) -> Any:

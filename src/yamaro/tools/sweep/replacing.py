@@ -20,7 +20,7 @@ from types import ModuleType
 from typing import Any
 
 from ... import units
-from ...model import convex, inertia
+from ...model import convex, inertia, pose
 from ...robot import numbers
 from ...runtime import modules, predefined
 from ...targets import elements
@@ -33,7 +33,7 @@ METHODS = ((convex.Convex, "farthest"), (units.Unit, "to_si"), (units.Unit, "fro
 """The methods that become one operation each."""
 FUNCTIONS: tuple[Callable[..., Any], ...] = (
     values.format_number, values.format_value, elements.number, numbers.format_component,
-    numbers.negated, moments.written_moments, moments.balanced,
+    numbers.negated, moments.written_moments, moments.balanced, pose.quaternion_from_rotation,
 )  # fmt: skip
 """The functions of Yamaro that become one operation each."""
 LEFT_ALONE = (values, forms)
