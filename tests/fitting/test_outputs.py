@@ -65,9 +65,19 @@ def test_commands_that_show_a_robot_need_no_file_for_its_pieces(
 def test_srdf_has_the_spheres_that_the_urdf_has(tmp_path: Path) -> None:
     pytest.importorskip("pinocchio")
     path = written(tmp_path, "spheres: 2")
+    again = tmp_path / "again.urdf"  # in which nothing says how the spheres were made
+    again.write_text(yamaro.build(path).xml(), encoding="utf-8")
     root = yamaro.build(path, target="srdf", base="fixed").root
+    (same,) = [
+        each
+        for each in yamaro.build(again, target="srdf", base="fixed").root.iter()
+        if each.name == "link_sphere_approximation"
+    ]
     (told,) = [each for each in root.iter() if each.name == "link_sphere_approximation"]
-    assert told.attributes["link"] == "base_link"
+    assert told.attributes["link"] == same.attributes["link"] == "base_link"
+    assert [each.attributes for each in same.elements()] == [
+        each.attributes for each in told.elements()
+    ]
     found = [
         [*map(float, str(each.attributes["center"]).split()), float(str(each.attributes["radius"]))]
         for each in told.elements()

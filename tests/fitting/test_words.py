@@ -245,6 +245,27 @@ MJCF = """\
 """
 
 
+def test_pieces_of_a_geom_of_mjcf_touch_as_it_did_and_it_is_seen_as_it_was() -> None:
+    import mujoco
+
+    geom = 'type="mesh" mesh="arm" contype="2" conaffinity="5" solref="0.01 1" rgba="1 0 0 1"'
+    shell = '<geom name="shell" type="mesh" mesh="arm" friction="0.3 0.005 0.0001"/>'
+    Path("arm.xml").write_text(MJCF.replace(shell, f'<geom name="shell" {geom}/>'), "utf-8")
+    assert main(["fit", "arm.xml", "-o", "out/arm.xml", "--spheres", "3", "-q"]) == 0
+    model = mujoco.MjModel.from_xml_path("out/arm.xml")
+    balls = [g for g in range(model.ngeom) if model.geom_contype[g]]
+    assert len(balls) == 3
+    for ball in balls:
+        assert model.geom_type[ball] == mujoco.mjtGeom.mjGEOM_SPHERE
+        assert (model.geom_contype[ball], model.geom_conaffinity[ball]) == (2, 5)
+        assert model.geom_solref[ball].tolist() == [0.01, 1]
+    seen = [g for g in range(model.ngeom) if model.geom_type[g] == mujoco.mjtGeom.mjGEOM_MESH]
+    assert len(seen) == 2
+    material = model.geom_matid[seen[0]]
+    color = model.mat_rgba[material] if material >= 0 else model.geom_rgba[seen[0]]
+    assert color.tolist() == [1, 0, 0, 1]
+
+
 def test_mjcf_stays_mjcf_with_its_actuators_and_frictions() -> None:
     import mujoco
 

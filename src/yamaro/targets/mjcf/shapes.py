@@ -36,14 +36,17 @@ def add_geoms(writing: Writing, looks: Looks) -> None:
         body = writing.body_of(link.name)
         is_whole = writing.blocks.is_whole
         given = writing.blocks.geoms(link.name)
-        colliding = {each.name for each in link.collisions if each.name}
+        colliding = {each.name: each.shape for each in link.collisions if each.name}
         both: dict[str, Visual] = {}
         for visual in link.visuals:
-            if visual.name in colliding and (is_whole or visual.name in given):
-                both[visual.name] = visual
-            else:
-                is_one = is_whole or visual.name in given
-                body.children += _visual(writing, link, visual, looks, is_one=is_one)
+            is_one = is_whole or visual.name in given
+            name = visual.name or _made_name(writing, link, "visual")
+            if is_one and visual.name in colliding:
+                if visual.shape == colliding[visual.name]:
+                    both[visual.name] = visual
+                    continue
+                name = _made_name(writing, link, "visual")
+            body.children += _visual(writing, link, visual, looks, name=name, is_one=is_one)
         for index, collision in enumerate(link.collisions):
             surface = surfaces.get((link.name, index))
             look: Attributes = {}
@@ -53,7 +56,7 @@ def add_geoms(writing: Writing, looks: Looks) -> None:
 
 
 def _visual(
-    writing: Writing, link: Link, visual: Visual, looks: Looks, *, is_one: bool
+    writing: Writing, link: Link, visual: Visual, looks: Looks, *, name: str, is_one: bool
 ) -> list[Element]:
     """Return the geoms of a visual, of which a mesh has one for each of its materials.
 
@@ -69,7 +72,6 @@ def _visual(
         parts = [{**whole, **look}] if whole is not None else []
     else:
         parts = looks.visual_mesh(link, visual, visual.shape, look)
-    name = visual.name or _made_name(writing, link, "visual")
     return [_geom(writing, link, visual, name, writing.classes.visual, part) for part in parts]
 
 

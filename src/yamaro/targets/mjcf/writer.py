@@ -223,6 +223,7 @@ def _merge_link(writing: Writing, link: Link) -> None:
             attributes = pose_attributes(plan.poses[link.name])
             body.children.append(element("frame", attributes, children=new, owner=link))
             elements = [each for each in elements if not known.isdisjoint(names(each))]
+    elements = _for_each_piece(writing.robot, link, elements)
     for index, given in enumerate(elements):
         if _is_free(given):
             _rename_free(writing, body, given)
@@ -230,6 +231,22 @@ def _merge_link(writing: Writing, link: Link) -> None:
         if free_name is not None and given.name == "geom":
             elements[index] = changed(given, {**given.attributes, "name": free_name})
     body.children = merged(body.children, elements, _in_body, is_body=True)
+
+
+def _for_each_piece(robot: Robot, link: Link, elements: list[Element]) -> list[Element]:
+    """Return what blocks say of a link, of a geom that is several pieces for each of them."""
+    pieces: dict[str, list[str]] = {}
+    for fit in robot.fits:
+        if fit.link == link.name and fit.section == "collision":
+            first, *rest = link.collisions[fit.index : fit.index + fit.count]
+            pieces[first.name] = [each.name for each in rest]
+    found = []
+    for given in elements:
+        found.append(given)
+        if given.name == "geom":
+            others = pieces.get(attribute_text(given, "name") or "", ())
+            found += [changed(given, {**given.attributes, "name": each}) for each in others]
+    return found
 
 
 def _is_free(joint: Element) -> bool:

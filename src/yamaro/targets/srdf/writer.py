@@ -13,6 +13,7 @@ from .pairs import disabled_pairs
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from ...model.link import Collision
     from ...model.robot import Robot
     from ...xml.tree import Element
     from ..elements import Attributes
@@ -89,20 +90,25 @@ def _refuse_without_collisions(robot: Robot) -> None:
 
 
 def _spheres(robot: Robot) -> list[Element]:
-    """Return the spheres of each link whose collisions were asked for as spheres."""
-    found = []
+    """Return the spheres of links that were asked for as spheres, or collide with several alone."""
+    asked: dict[str, list[Collision]] = {}
     for fit in robot.fits:
-        link = robot.links.get(fit.link)
-        if fit.word != "spheres" or fit.section != "collision" or link is None:
-            continue
-        made = link.collisions[fit.index : fit.index + fit.count]
+        if fit.word == "spheres" and fit.section == "collision" and fit.link in robot.links:
+            made = robot.links[fit.link].collisions[fit.index : fit.index + fit.count]
+            asked.setdefault(fit.link, []).extend(made)
+    found = []
+    for link in robot.links.values():
+        solid = asked.get(link.name) or (link.collisions if len(link.collisions) > 1 else ())
         spheres = [
             element("sphere", {"center": each.pose.position, "radius": each.shape.radius})
-            for each in made
+            for each in solid
             if isinstance(each.shape, Sphere)
         ]
-        attributes: Attributes = {"link": link.name}
-        found.append(element("link_sphere_approximation", attributes, children=spheres, owner=link))
+        if spheres and len(spheres) == len(solid):
+            attributes: Attributes = {"link": link.name}
+            found.append(
+                element("link_sphere_approximation", attributes, children=spheres, owner=link)
+            )
     return found
 
 
