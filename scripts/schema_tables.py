@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from itertools import groupby
 from pathlib import Path
+from textwrap import fill
 
 ROOT = Path(__file__).resolve().parents[1]
 DOCS = ROOT / "docs"
@@ -193,14 +194,8 @@ def held(cell: Cell) -> str:
 
 
 def motors() -> str:
-    """Return the motors of the catalogue, with what is known of each."""
-    names = ("gear", "armature", "rotor_inertia", "stall_torque", "no_load_speed")
-    rows = []
-    for name, known in MOTORS.items():
-        cells = [known.get(each, "").replace("*", "·").replace("^2", "²") for each in names]
-        cells = [f"{float(c):.4g}" if len(c) > 12 and " " not in c else c for c in cells]
-        rows.append((f"`{name}`", *cells))
-    return table(f"motor | {' | '.join(coded((name,)) for name in names)}", rows)
+    """Return the names of the motors of the catalogue."""
+    return fill(", ".join(f"`{name}`" for name in MOTORS) + ".", 120) + "\n"
 
 
 def controller_types() -> str:

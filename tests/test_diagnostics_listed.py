@@ -28,6 +28,8 @@ GIVEN = re.compile(rf"^(?:error|warning)\[({CODE})\]", re.MULTILINE)
 # Codes that depend on the machine, or on another command, so that no case or example holds them.
 TESTED_ELSEWHERE = {
     "bad-evaluate": "tools/sweep/test_evaluation.py",
+    "bad-metric": "tools/sweep/test_evaluation.py",
+    "bad-sweep": "tools/sweep/test_study.py",
     "bad-test": "tools/test_test.py",
     "error-expected": "tools/test_test.py",
     "evaluate-failed": "tools/sweep/test_evaluation.py",
@@ -37,10 +39,13 @@ TESTED_ELSEWHERE = {
     "jail-broken": "test_policy.py",
     "limit-time": "test_policy.py",
     "metric-failed": "tools/sweep/test_evaluation.py",
+    "missing-extra": "robot/test_part.py",
     "mujoco-refused": "tools/sweep/test_evaluation.py",
     "name-with-line-break": "test_terminal.py",
     "no-jail": "test_policy.py",
+    "no-opengl": "picture/test_pictures.py",
     "output-differs": "tools/test_test.py",
+    "sweep-batch": "tools/sweep/test_batch.py",
     "sweep-differs": "tools/sweep/test_running.py",
     "sweep-engine": "tools/sweep/test_engines.py",
     "unknown-package": "runtime/test_details.py",
@@ -91,7 +96,8 @@ def test_codes_without_a_case_are_tested_where_it_says() -> None:
     for code, name in TESTED_ELSEWHERE.items():
         if name.startswith("tools/") and command_named(name.split("/")[1]) is None:
             continue  # without that tool
-        assert f'"{code}"' in (REPOSITORY / "tests" / name).read_text(encoding="utf-8")
+        text = (REPOSITORY / "tests" / name).read_text(encoding="utf-8")
+        assert f'"{code}"' in text or f"[{code}]" in text
 
 
 def test_every_code_of_a_golden_case_is_listed() -> None:

@@ -29,7 +29,12 @@ PAGES = {
     "ARCHITECTURE.md": "architecture.md",
 }
 """Pages that have another name on the site than in the repository."""
-MOVED = {"sweep-metrics.html": "sweeps.html"}
+MOVED = {
+    "sweep-metrics.html": "sweeps.html",
+    "sweep-a-quadruped.html": "sweeps.html",
+    "performance.html": "faq.html",
+    "two-arms-on-a-table.html": "put-a-gripper-on-an-arm.html",
+}
 """Pages that there were, and what has their headings now."""
 SPLIT = ("language.md", "diagnostics.md")
 """Documents with a page for each chapter."""
