@@ -185,6 +185,20 @@ def test_the_base_is_fixed_as_the_robot_says(tmp_path: Path, text: str, is_fixed
 # --- names of files ---------------------------------------------------------------------------
 
 
+BARE = "robot: r\nmodel:\n- link/name=a:\n"
+
+
+@pytest.mark.parametrize("ending", ["urdf", "yaml"])
+def test_hints_are_in_the_language_of_the_file(tmp_path: Path, ending: str) -> None:
+    file = tmp_path / f"r.{ending}"
+    file.write_text('<robot name="r"><link name="a"/></robot>' if ending == "urdf" else BARE)
+    built = build(file, target="mjcf")
+    (assumed,) = [each for each in built.warnings if each.code == "base-assumed"]
+    assert assumed.hint is not None
+    assert ("'base: fixed'" in assumed.hint) == (ending == "yaml")
+    assert "--base" in assumed.hint
+
+
 def test_files_beside_a_document_know_its_name(robot: Path, tmp_path: Path) -> None:
     built = build(robot, target="mjcf", output=tmp_path / "arm.xml")
     assert built.file_name == "arm.xml"

@@ -135,6 +135,24 @@ def test_a_picture_is_a_png(folder: Path) -> None:
     assert base64.b64decode(image.data).startswith(b"\x89PNG")
 
 
+def test_the_source_of_a_robot_is_not_replaced(folder: Path) -> None:
+    (folder / "mine.yaml").write_text("robot: mine\n")
+    asked = [
+        {"output": "arm.yaml"},
+        {"output": "mine.yaml"},
+        {"output": "mine.yaml", "format": "mjcf"},
+        {"output": "a.urdf"},
+        {"output": "a.urdf"},
+        {"output": "c_controllers.yaml", "format": "controllers"},
+        {"output": "c_controllers.yaml", "format": "controllers"},
+    ]
+    given = [("build", {"file": "arm.yaml", **each}) for each in asked]
+    found = answers(in_process(folder), given)
+    assert [is_answered for is_answered, _ in found] == [False] * 3 + [True] * 4
+    assert "'mine.yaml' exists" in found[1][1]
+    assert (folder / "mine.yaml").read_text() == "robot: mine\n"
+
+
 def test_nothing_outside_is_read_or_written(folder: Path) -> None:
     secret = folder.parent / "secret.yaml"
     (folder / "link.yaml").symlink_to(secret)

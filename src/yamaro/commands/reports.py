@@ -77,7 +77,9 @@ def show(diagnostics: Sequence[Diagnostic], arguments: Arguments, streams: Strea
         texts.append("\n".join(render_in_line(one, color=color) for one in lines))
     streams.say("\n\n".join(texts), colored=color)
     if lines:
-        streams.say("-v shows each place; a comment `# yamaro: allow CODE` there accepts it")
+        comment = "yamaro: allow CODE"
+        comment = f"<!-- {comment} -->" if lines[0].span.source.is_xml else f"# {comment}"
+        streams.say(f"-v shows each place; a comment `{comment}` there accepts it")
     if arguments.command == "check":
         errors = sum(one.severity == ERROR for one in diagnostics)
         counts = [(errors, "error"), (len(diagnostics) - errors, "warning")]

@@ -351,7 +351,9 @@ def close_home(lowering: Lowering, root: Element, notes: Sequence[RobotNote]) ->
             values = [
                 f"{name}: {float(f'{value:.12f}') + 0.0:.12g}" for name, value in changed.items()
             ]
-            written = f"states: {{{HOME}: {{{', '.join(values)}}}}}"
+            written = ", ".join(values)
+            if not closure.loops[0].span.source.is_xml:
+                written = f"states: {{{HOME}: {{{written}}}}}"
             added.append(_state(closure.loops[0].element, home, changed))
         for loop, (distance, turn) in zip(closure.loops, gaps, strict=True):
             if max(distance, turn) <= LARGEST_GAP:
@@ -367,7 +369,9 @@ def close_home(lowering: Lowering, root: Element, notes: Sequence[RobotNote]) ->
                     "closed-loop",
                     f"{open_by}, and is closed there",
                     loop.span,
-                    hint=f"to say so, write {written}",
+                    hint=f"closed, it is at {written}"
+                    if loop.span.source.is_xml
+                    else f"to say so, write {written}",
                     trace=loop.trace,
                 )
     return added

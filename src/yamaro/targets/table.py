@@ -289,7 +289,9 @@ def assumed_base(robot: Robot, asked: str | None) -> list[Diagnostic]:
             "base-assumed",
             f"the base is assumed to be {base}, since {reason}",
             robot.span,
-            hint="write 'base: fixed' or 'base: free' in the main file, or pass --base",
+            hint="pass --base fixed or --base free; a root link 'world' is fixed as well"
+            if robot.span.source.is_xml
+            else "write 'base: fixed' or 'base: free' in the main file, or pass --base",
             severity=WARNING,
         )
     ]

@@ -244,7 +244,9 @@ class Plan:
             "no `control` says what drives the joints; all are taken to be driven as by their "
             "actuators",
             self.robot.span,
-            "write control: {plugin: mock_components/GenericSystem}",
+            "add a <ros2_control> element with the hardware and its joints"
+            if self.robot.span.source.is_xml
+            else "write control: {plugin: mock_components/GenericSystem}",
         )
 
     def _check_command(self, controller: Controller, joint: str, command: str) -> None:

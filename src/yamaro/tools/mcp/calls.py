@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 
+from ...targets.table import TARGETS
 from .folder import Refused
 
 TYPE_CHECKING = False
@@ -63,11 +64,11 @@ class Call:
         """Return the file of a parameter, as a path from the folder."""
         return self._folder.file(self.values[name])
 
-    def output(self) -> list[str]:
-        """Return the words for the file to write, if one is asked for."""
+    def output(self, endings: tuple[str, ...] = ()) -> list[str]:
+        """Return the words for the file to write, if one is asked for; see `Folder.new_file`."""
         if "output" not in self.values:
             return []
-        return [f"--output={self._folder.new_file(self.values['output'])}"]
+        return [f"--output={self._folder.new_file(self.values['output'], endings)}"]
 
     def assignments(self) -> list[str]:
         """Return the words that set arguments of the robot.
@@ -96,7 +97,8 @@ class Call:
 
 def _build(call: Call) -> list[str]:
     form = call.values.get("format", DEFAULT_FORMAT)
-    words = [call.robot(), f"--to={form}", *call.output(), *call.options("meshes", "base")]
+    endings = TARGETS[form].endings if form in TARGETS else ()
+    words = [call.robot(), f"--to={form}", *call.output(endings), *call.options("meshes", "base")]
     return [*words, *call.assignments()]
 
 
@@ -191,10 +193,7 @@ TOOLS = {
             "of the folder with `output`; errors have a line, and say what to write instead.",
             {
                 **ROBOT,
-                "format": _text(
-                    "urdf (the default), sdf, mjcf, srdf, usd, interface, controllers, moveit, "
-                    "mjlab or isaaclab"
-                ),
+                "format": _text(f"{', '.join(TARGETS)}; {DEFAULT_FORMAT} is the default"),
                 "output": _text("a file to write, as a path from the folder; moveit: a folder"),
                 "meshes": _text("how meshes are named: relative (default), keep, copy or none"),
                 "base": _text("'fixed' in the world, or 'free'", enum=["fixed", "free"]),

@@ -9,6 +9,10 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 
+SOURCES = (".yaml", ".yml", ".xacro")
+"""Endings of files that people write, which are replaced only by a format of that ending."""
+
+
 class Refused(Exception):
     """A call asks for what it cannot have; the text says what, and what it can."""
 
@@ -36,11 +40,16 @@ class Folder:
             raise Refused(f"there is no file '{name}' in the folder of this server")
         return self._from_here(path)
 
-    def new_file(self, name: str) -> str:
+    def new_file(self, name: str, endings: tuple[str, ...] = ()) -> str:
         """Return where a file or, with a slash at the end, a folder is to be written.
 
+        Args:
+            name: its path from the folder.
+            endings: those of the format that is written.
+
         Raises:
-            Refused: that is elsewhere, is hidden, or has links in it that lead out of the folder.
+            Refused: that is elsewhere, is hidden, has links in it that lead out of the folder, or
+                may be the source of a robot.
         """
         path = self._inside(name)
         if any(part.startswith(".") and part not in (".", "..") for part in _parts(name)):
@@ -48,6 +57,8 @@ class Folder:
         is_folder = name.endswith(("/", os.sep))
         if os.path.isdir(path) and not is_folder:
             raise Refused(f"'{name}' is a folder: choose another name, or '{name}/' to write in it")
+        if name.endswith(SOURCES) and not name.endswith(endings) and os.path.isfile(path):
+            raise Refused(f"'{name}' exists, and may be the source of a robot: choose another name")
         beside = path if is_folder else os.path.join(os.path.dirname(path), "assets")
         for each in _all_in(beside):
             if os.path.islink(each) and not self._has(os.path.realpath(each)):
