@@ -266,6 +266,12 @@ def test_a_name_that_promises_another_format_gets_a_hint(
     says = "yamaro: note: robot.sdf holds URDF; --to sdf writes SDF\n"
     assert capsys.readouterr().err == says
     assert main(["robot.yaml", "-q", "-o", "robot.sdf"]) == 0
+    assert main(["robot.yaml", "--base=fixed", "--to=mjcf", "-o", "other.urdf"]) == 0
+    says = "yamaro: note: other.urdf holds MJCF; --to urdf writes URDF\n"
+    assert capsys.readouterr().err.endswith(says)
+    Path("folder.sdf").mkdir()
+    assert main(["robot.yaml", "--base=fixed", "--to=urdf,sdf", "-o", "folder.sdf"]) == 0
+    assert "holds" not in capsys.readouterr().err
     Path("world.yaml").write_text("sdf: {world: }\n")
     assert main(["world.yaml", "-o", "world.sdf"]) == 0
     assert main(["robot.yaml", "-o", "robot.xml"]) == 0

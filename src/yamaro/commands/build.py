@@ -36,19 +36,15 @@ def run(arguments: Arguments, streams: Streams) -> int:
 def _sum_up(build: Build, arguments: Arguments, streams: Streams) -> None:
     """Sum up what was written, for people: programs take what is said for complaints."""
     name = arguments.options["output"]
-    if arguments.has("to"):
+    ending = os.path.splitext(name)[1].lower()
+    has_to = arguments.has("to")
+    if has_to or (ending != ".urdf" and "<robot" in "".join(build.pieces[:8])[:200]):
+        _note_ending(name, ending, build.format if has_to else "urdf", streams)
+    if has_to:
         from .formats import summary_of as summary_of_formats
 
         summary = summary_of_formats(build, arguments)
     else:
-        ending = os.path.splitext(name)[1].lower()
-        if ending not in ("", ".urdf", ".xml") and "<robot" in "".join(build.pieces[:8])[:200]:
-            from ..targets.table import TARGETS
-
-            for target in TARGETS.values():
-                if ending in target.endings:  # it promises another format than URDF
-                    says = f"{name} holds URDF; --to {target.name} writes {target.title}"
-                    streams.say(f"yamaro: note: {says}")
         if not streams.is_terminal():
             return
         from .summary import summary_of
@@ -56,3 +52,17 @@ def _sum_up(build: Build, arguments: Arguments, streams: Streams) -> None:
         summary = summary_of(build.encoded())
     if streams.is_terminal():
         streams.say(f"{name}: {summary}")
+
+
+def _note_ending(name: str, ending: str, written: str, streams: Streams) -> None:
+    """Note that the ending of a file name promises another format than the one written."""
+    if ending in ("", ".xml") or os.path.isdir(name):
+        return
+    from ..targets.table import TARGETS
+
+    if ending not in TARGETS[written].endings:
+        for target in TARGETS.values():
+            if ending in target.endings:
+                holds = f"{name} holds {TARGETS[written].title}"
+                streams.say(f"yamaro: note: {holds}; --to {target.name} writes {target.title}")
+                return
