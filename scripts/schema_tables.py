@@ -199,12 +199,10 @@ def motors() -> str:
 
 
 def controller_types() -> str:
-    """Return the types of controllers that have a word, with the classes of their plugins."""
-    rows = []
-    for each in KNOWN_CONTROLLERS.values():
-        older = f"; in Humble `{each.older}`" if each.older else ""
-        rows.append((f"`{each.word}`", f"`{each.plugin}`{older}"))
-    return table("`type` | plugin", rows)
+    """Return the words for types of controllers."""
+    return (
+        fill(", ".join(f"`{each.word}`" for each in KNOWN_CONTROLLERS.values()) + ".", 120) + "\n"
+    )
 
 
 # --- the cheat sheet --------------------------------------------------------------------------

@@ -32,6 +32,7 @@ PAGES = {
 MOVED = {
     "sweep-metrics.html": "sweeps.html",
     "sweep-a-quadruped.html": "sweeps.html",
+    "mesh-in-millimetres.html": "from-cad-exports.html",
     "performance.html": "faq.html",
     "two-arms-on-a-table.html": "put-a-gripper-on-an-arm.html",
 }
