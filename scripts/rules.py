@@ -87,29 +87,29 @@ def moved(page: Path) -> Iterator[str]:
 
 
 def table(chapter: str) -> str:
-    """Return the table of a chapter: its codes, how severe they are, and what they mean.
+    """Return what programs do with the faults of a chapter: its codes, how severe, who refuses.
 
-    If programs were tried on robots with these faults, it also has who refuses and reports them.
+    If no program was tried on robots with these faults, these are the codes alone.
     """
     of_chapter = [rule for rule in rules().values() if rule.chapter == chapter]
     if not of_chapter:
         sys.exit(f"docs/checks.md has a table of '{chapter}', which is a chapter of no rules.md")
     verdicts = verdicts_by_code()
-    heads, rows = ["code", "severity", "fault"], [cells(rule) for rule in of_chapter]
-    if any(rule.code in verdicts for rule in of_chapter):
-        heads += ["refused by", "reported by"]
-        for rule, row in zip(of_chapter, rows, strict=True):
-            by_program = verdicts.get(rule.code, {})
-            row += [names_of(by_program, {"refuses", "crashes"}), names_of(by_program, {"reports"})]
-    lines = [heads, ["---"] * len(heads), *rows]
+    if not any(rule.code in verdicts for rule in of_chapter):
+        return ",\n".join(map(link_to, of_chapter)) + ".\n"
+    lines = [["code", "severity", "fault", "refused by", "reported by"], ["---"] * 5]
+    for rule in of_chapter:
+        by_program = verdicts.get(rule.code, {})
+        severity = rule.severity.replace(" that can be allowed", "") or "error"
+        refused = names_of(by_program, {"refuses", "crashes"})
+        reported = names_of(by_program, {"reports"})
+        lines.append([link_to(rule), severity, rule.summary, refused, reported])
     return "".join(f"| {' | '.join(line)} |\n" for line in lines)
 
 
-def cells(rule: Rule) -> list[str]:
-    """Return the cells of a code."""
-    link = f"[`{rule.code}`](diagnostics.md#{rule.anchor})"
-    severity = rule.severity.replace(" that can be allowed", "") or "error"
-    return [link, severity, rule.summary]
+def link_to(rule: Rule) -> str:
+    """Return a code that leads to its description."""
+    return f"[`{rule.code}`](diagnostics.md#{rule.anchor})"
 
 
 def verdicts_by_code() -> dict[str, dict[str, list[str]]]:
