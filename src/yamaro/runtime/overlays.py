@@ -77,6 +77,8 @@ def read_overlay(source: Source, limits: Limits, reporter: Reporter) -> Element:
     root = read(source, reporter=reporter, limits=limits, units=True)
     if not isinstance(root, MappingNode):
         raise _no_overlay(root.span(), "a list" if isinstance(root, SequenceNode) else "a value")
+    if not root.pairs:
+        raise _no_overlay(root.span(), "empty")
     calibration = _calibration_in(root)
     if calibration is not None:
         name, node = calibration
@@ -120,7 +122,7 @@ def _calibration_in(root: MappingNode) -> tuple[str, MappingNode] | None:
     if len(pairs) == 1 and pairs[0][0].text == KINEMATICS:
         inner = pairs[0][1]
         if isinstance(inner, MappingNode) and any(
-            _keys(node) >= _OF_POSE for _, node in inner.pairs
+            key.text != "hash" and not _keys(node).isdisjoint(_OF_POSE) for key, node in inner.pairs
         ):
             return KINEMATICS, inner
     if pairs and all(_keys(node) >= _OF_MOTOR for _, node in pairs):
