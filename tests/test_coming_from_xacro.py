@@ -172,7 +172,7 @@ def comparison(tmp_path: Path, compile_in_folder: Compile):  # noqa: F811
 def test_xacro_and_yamaro_make_the_same_of_each_pair(comparison) -> None:
     document = comparison(REPOSITORY / "docs" / "coming-from-xacro.md")
     assert not document.failures, "\n\n".join(document.failures)
-    assert document.compared >= 20
+    assert document.compared >= 19
 
 
 # --- the comparison itself ----------------------------------------------------------------------
