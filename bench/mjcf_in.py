@@ -26,7 +26,6 @@ import argparse
 import os
 import re
 import resource
-import signal
 import subprocess
 import sys
 import tempfile
@@ -34,7 +33,8 @@ import time
 import traceback
 from collections import Counter, defaultdict
 from collections.abc import Iterator
-from multiprocessing import Pool
+from concurrent.futures import ThreadPoolExecutor
+from multiprocessing import Pipe, Process
 from pathlib import Path
 from typing import Any
 
@@ -44,6 +44,7 @@ sys.path.insert(0, str(ROOT))
 import mujoco  # noqa: E402 - after the path
 
 import yamaro  # noqa: E402
+from tests.targets.mechanics import Mujoco, PinocchioUrdf, differences  # noqa: E402
 from tests.targets.same_mjcf import Comparison  # noqa: E402
 
 EQUAL, TOLD, SILENT, FAILS = "equal", "told", "silent", "fails"
@@ -90,27 +91,31 @@ def compiled(path: str) -> float | None:
 
 def judge(job: tuple[str, str, int, str]) -> Verdict | None:
     """Return what is found for a file; None if MuJoCo does not compile it as it is."""
-    path, mode, seconds, keep = job
-    signal.signal(signal.SIGALRM, _too_long)
-    signal.alarm(seconds)
+    path, mode, _, keep = job
     try:
         return JUDGES[mode](path, keep) if compiled(path) is not None else None
-    except _TooLongError:
-        return Verdict(path, FAILS, f"takes more than {seconds} s")
     except Exception as error:  # of any kind: this is a report
         where = traceback.extract_tb(error.__traceback__)[-1]
         place = f"{Path(where.filename).name}:{where.lineno}"
         return Verdict(path, FAILS, f"traceback: {type(error).__name__}: {error} at {place}"[:300])
+
+
+def judge_apart(job: tuple[str, str, int, str]) -> Verdict | None:
+    """Return what is found for a file by a process of its own, which may hang or end."""
+    path, _, seconds, _ = job
+    mine, theirs = Pipe(duplex=False)
+    process = Process(target=lambda: theirs.send(judge(job)))
+    process.start()
+    theirs.close()
+    try:
+        if mine.poll(seconds):
+            return mine.recv()
+        return Verdict(path, FAILS, f"takes more than {seconds} s")
+    except EOFError:
+        return Verdict(path, FAILS, "ends the process")
     finally:
-        signal.alarm(0)
-
-
-class _TooLongError(Exception):
-    pass
-
-
-def _too_long(*_: object) -> None:
-    raise _TooLongError
+        process.kill()
+        process.join()
 
 
 def judge_mjcf(path: str, keep: str, *, migrates: bool = False) -> Verdict:
@@ -149,8 +154,6 @@ def judge_mjcf(path: str, keep: str, *, migrates: bool = False) -> Verdict:
 
 def judge_urdf(path: str, _: str) -> Verdict:
     """Return whether what is written as URDF moves as what is written as MJCF does."""
-    from tests.targets.mechanics import Mujoco, PinocchioUrdf, differences
-
     try:
         build = yamaro.build(path, target="urdf", meshes="keep")
         mjcf = yamaro.build(path, target="mjcf")
@@ -399,10 +402,10 @@ def main() -> None:
     jobs = [(path, options.mode, options.seconds, options.keep) for path in paths[:: options.every]]
     verdicts = []
     with (
-        Pool(options.jobs, maxtasksperchild=20) as pool,
+        ThreadPoolExecutor(options.jobs) as pool,
         open(options.table or os.devnull, "w", encoding="utf-8") as table,
     ):
-        for each in pool.imap(judge, jobs):
+        for each in pool.map(judge_apart, jobs):
             if each is not None:
                 verdicts.append(each)
                 line = (each.path, each.kind, each.why, ", ".join(each.told))
