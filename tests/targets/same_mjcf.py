@@ -35,6 +35,8 @@ FULL = slice(1, 3)
 """Which warnings are those of more contacts, or constraints, than a model has memory for."""
 NO_CONTACTS = 1 << 4
 """mjDSBL_CONTACT."""
+CROWD = 1000
+"""How many speeds a model has whose bodies, placed at random, would all touch one another."""
 ROUNDED = ("body_pos", "body_quat", "geom_pos", "geom_quat")
 WIDTHS = {0: (7, 6), 1: (4, 3), 2: (1, 1), 3: (1, 1)}
 """How many numbers of qpos and qvel a joint of each type has."""
@@ -101,10 +103,11 @@ def matching(first: Compiled, second: Compiled, kind: str) -> list[int | None]:
     names, others = first.names[kind], second.names[kind]
     by_name = {name: index for index, name in enumerate(others) if name}
     found = [by_name.get(name) if name else None for name in names]
-    left = [index for index in range(len(others)) if index not in set(found)]
+    taken = set(found)
+    left = [index for index in range(len(others)) if index not in taken]
     if len(names) == len(others):  # those without a name have kept their places
         return [
-            index if each is None and not names[index] and index in left else each
+            index if each is None and not names[index] and index not in taken else each
             for index, each in enumerate(found)
         ]
     nameless = [index for index, name in enumerate(names) if not name]
@@ -208,10 +211,11 @@ class Comparison:
             return
         self._control(random)
         has_contacts = not one.model.opt.disableflags & NO_CONTACTS
+        is_full = one.model.nv > CROWD
         try:
-            mujoco.mj_forward(one.model, one.data)
-            mujoco.mj_forward(two.model, two.data)
-            is_full = bool(one.data.warning[FULL].number.any())
+            for each in () if is_full else (one, two):
+                mujoco.mj_forward(each.model, each.data)
+            is_full |= bool(one.data.warning[FULL].number.any())
         except mujoco.FatalError:
             is_full = True
         if is_full or self._contacts_jump():
