@@ -182,6 +182,18 @@ def test_files_are_found_from_where_the_yaml_is(dog: Path, tmp_path: Path) -> No
     moved = migration_of(dog, other)
     assert moved.differences == []
     assert "../../assets/cube.obj" in moved.text
+    meshes = "".join(f'<mesh name="{each}" file="cube.obj"/>' for each in "nop")
+    geoms = "".join(f'<geom type="mesh" mesh="{each}"/>' for each in "nop")
+    png = 'type="2d" file="a.png"/><material name="t" texture="t"/>'
+    sky = '<texture name="sky" type="skybox" file="sky.png"/>'
+    text = dog.read_text().replace("</asset>", f'{meshes}<texture name="t" {png}{sky}</asset>')
+    text = text.replace('meshdir="assets"', 'assetdir="assets"')
+    dog.write_text(text.replace("</body>", f'{geoms}<geom size="1" material="t"/></body>'))
+    shared = migration_of(dog, other)
+    assert shared.differences == []
+    assert shared.text.count("../../assets") == 1
+    for file in ("cube.obj", "a.png", "sky.png"):
+        assert f"$(meshes)/{file}" in shared.text
 
 
 def test_angles_that_a_mirror_takes_from_half_a_turn_are_one_number(tmp_path: Path) -> None:

@@ -179,17 +179,21 @@ MOST_TEXTS = 3
 """Elements that hold a text each and are in one line."""
 
 
+FILES = frozenset(
+    ("file", "filename", *(f"file{side}" for side in "back down front left right up".split()))
+)
+"""Attributes that name a file, relative to that in which they are."""
 ROWS = frozenset(("xyz", "rpy", "rgba", "size", "scale"))
 """Attributes of URDF that hold several numbers."""
 
 
 class ElementWriter:
-    """Makes entries of elements; `names` has the replacement for a mesh file's folder."""
+    """Makes entries of elements; `file_name` replaces the folder of a mesh or texture."""
 
     __slots__ = ("file_name",)
 
     def __init__(self, file_name: Callable[[str], str]) -> None:
-        """Take what spells the names of mesh files."""
+        """Take what spells the names of files."""
         self.file_name = file_name
 
     def entry(self, element: Element, *, bracketed: bool = False) -> Entry:
@@ -203,8 +207,8 @@ class ElementWriter:
 
     def key(self, name: str, attributes: dict[str, str], *, bracketed: bool = False) -> str:
         """Return the key of an element."""
-        if name == "mesh" and "filename" in attributes:
-            attributes = {**attributes, "filename": self.file_name(attributes["filename"])}
+        for file in FILES & attributes.keys():
+            attributes = {**attributes, file: self.file_name(attributes[file])}
         return element_key(name, attributes, bracketed=bracketed)
 
     def value(self, element: Element) -> Value:

@@ -242,13 +242,15 @@ def is_short_material(material: Element) -> bool:
     )
 
 
-def material_entry(material: Element) -> Entry | None:
+def material_entry(
+    material: Element, file_name: Callable[[str], str] = lambda file: file
+) -> Entry | None:
     """Return a material in short: its name, with its colour and texture; None for any other."""
     if not is_short_material(material):
         return None
     name = values_of(material)["name"]
     looks = [
-        Entry(look.name, " ".join(words_of(format_value(value))))
+        Entry(look.name, file_name(" ".join(words_of(format_value(value)))))
         for look in material.elements()
         for value in values_of(look).values()
     ]

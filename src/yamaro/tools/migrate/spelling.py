@@ -12,7 +12,7 @@ from ...model.values import numbers_of, values_of
 from ...xml.tree import Comment, Element, Text
 from ...xml.values import Numbers, format_value
 from .document import literal
-from .elements import comments_at_ends, tidy_text
+from .elements import FILES, comments_at_ends, tidy_text
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -30,10 +30,6 @@ ANGLES = frozenset(("lower", "upper"))
 """Values that a source may have in degrees."""
 NO_LIMIT = "unlimited"
 """The variable for limits that the source does not have, where URDF wants a number."""
-FILES = frozenset(
-    ("file", "filename", *(f"file{side}" for side in "back down front left right up".split()))
-)
-"""Attributes that name a file, relative to that in which they are."""
 
 
 def in_language(element: Element) -> Element:

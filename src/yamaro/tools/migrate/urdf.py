@@ -349,7 +349,7 @@ class Variables:
             variable = self._materials.get(tuple(_material_of(material).items()))
             if variable is not None:
                 return Entry("material", f"$({variable})")
-        return material_entry(material)
+        return material_entry(material, self.file_name)
 
     def _declare(self, stem: str, value: Value) -> str:
         from ...syntax.names import is_identifier
