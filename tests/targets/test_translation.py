@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from math import degrees
+from math import degrees, pi
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import yamaro
+from tests.consumers import oracles
 from tests.targets.same_mjcf import Comparison
 
 MJCF = """<mujoco model="pendulum">
@@ -135,3 +137,66 @@ def test_equalities_and_armatures_of_mjcf_are_in_usd_and_sdf(tmp_path: Path) -> 
     again = mujoco.MjModel.from_xml_path(str(tmp_path / "second.xml"))
     assert again.eq_data[0][:5] == pytest.approx(model.eq_data[0][:5])
     assert again.joint("first").stiffness == pytest.approx(3.0)
+
+
+SDF = """<sdf version="1.10"><model name="m">
+  <link name="a">{inertial}</link>
+  <link name="b"><pose>0 0.2 1 0.1 0.2 0.3</pose>{inertial}</link>
+  <joint name="j" type="{kind}"><parent>a</parent><child>b</child>
+    <pose>0.1 0 -0.3 0.4 0.5 0.6</pose>
+    <axis><xyz>1 0 0</xyz><limit><lower>-1</lower><upper>2</upper>{more}</limit></axis>
+    {axis2}
+  </joint></model></sdf>"""
+INERTIAL = (
+    "<inertial><pose>0 0.1 0.2 0 0 0</pose><mass>2</mass><inertia><ixx>0.1</ixx><iyy>0.12</iyy>"
+    "<izz>0.15</izz><ixy>0.01</ixy></inertia></inertial>"
+)
+SECOND = "<axis2><xyz>0 1 0</xyz></axis2>"
+PITCH = 0.05
+
+
+@pytest.mark.parametrize("kind", ["universal", "screw"])
+def test_joints_of_two_axes_and_screws_move_in_mujoco_as_in_drake(kind: str, tmp_path) -> None:
+    mujoco = oracles.require_module("mujoco")
+    plants = oracles.require_module("pydrake.multibody.plant")
+    parsing = oracles.require_module("pydrake.multibody.parsing")
+    more = SECOND if kind == "universal" else f"<screw_thread_pitch>{PITCH}</screw_thread_pitch>"
+    text = SDF.format(kind=kind, inertial=INERTIAL, axis2=more, more="")
+    (tmp_path / "made.sdf").write_text(text)
+    build = written(tmp_path, "made.sdf", "mjcf", "made.xml")
+    found = [(each.kind, each.what) for each in build.losses]
+    assert found == ([("approximated", "SDF's screw joints")] if kind == "screw" else [])
+    plant = plants.MultibodyPlant(0.0)
+    parsing.Parser(plant).AddModels(str(tmp_path / "made.sdf"))
+    plant.WeldFrames(plant.world_frame(), plant.GetFrameByName("a"))
+    plant.Finalize()
+    context = plant.CreateDefaultContext()
+    model = mujoco.MjModel.from_xml_path(str(tmp_path / "made.xml"))
+    data, random = mujoco.MjData(model), np.random.default_rng(1)
+    assert model.joint(0).range.tolist() == [-1, 2]
+    turns = np.eye(2) if kind == "universal" else np.array([[1], [PITCH / (2 * pi)]])
+    for _ in range(5):
+        q = random.uniform(-1, 1, plant.num_positions())
+        plant.SetPositions(context, q)
+        data.qpos[:] = turns @ q
+        mujoco.mj_forward(model, data)
+        ends = [plant.GetFrameByName(name) for name in "ab"]
+        pose = plant.CalcRelativeTransform(context, *ends)
+        assert np.abs(pose.translation() - data.body("b").xpos).max() < 1e-12
+        turn = data.body("b").xmat.reshape(3, 3)
+        assert np.abs(pose.rotation().matrix() - turn).max() < 1e-12
+        mass = np.zeros((model.nv, model.nv))
+        mujoco.mj_fullM(model, data, mass)
+        assert np.abs(turns.T @ mass @ turns - plant.CalcMassMatrix(context)).max() < 1e-12
+    if kind == "screw":  # the equality holds the slide where the thread has it
+        data.qpos[:] = turns @ q
+        mujoco.mj_forward(model, data)
+        assert np.abs(data.efc_pos[: data.ne]).max() < 1e-12
+
+
+def test_what_mjcf_has_not_of_an_axis_is_reported(tmp_path) -> None:
+    speed = "<velocity>3</velocity>"
+    text = SDF.format(kind="universal", inertial=INERTIAL, axis2=SECOND, more=speed)
+    (tmp_path / "made.sdf").write_text(text)
+    build = written(tmp_path, "made.sdf", "mjcf", "made.xml")
+    assert [each.what for each in build.losses] == ["details of SDF's <axis>"]

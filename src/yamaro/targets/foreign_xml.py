@@ -225,14 +225,20 @@ def lost_blocks(robot: Robot, format: str) -> Losses:
 
     What YAML says for another format is not run, so that it is in no robot.
     """
-    found, taken = Losses(), Translation(robot, format).taken
+    translation = Translation(robot, format)
+    found, taken = Losses(), translation.taken
+    for raw in translation.screws:
+        how = "a hinge and a slide with an equality"
+        found.approximate("SDF's screw joints", raw, label=f"joint '{raw.joint}'", how=how)
     for raw in robot.raw():
         if raw.format == format:
             continue
         title = TARGETS[raw.format].title if raw.format in TARGETS else raw.format
         home = f"link '{raw.link}'" if raw.link is not None else f"joint '{raw.joint}'"
         label = home if raw.link is not None or raw.joint is not None else "the robot"
-        is_typed = raw.joint is not None and any(each.name == "type" for each in raw.elements)
+        is_typed = raw.joint is not None and any(
+            each.name == "type" and id(each) not in taken for each in raw.elements
+        )
         known: set[str] = set()  # what the model has of the link
         link = robot.links.get(raw.link or "")
         if link is not None:

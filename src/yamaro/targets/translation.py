@@ -5,14 +5,19 @@ from MJCF an equality of two joints that are both driven, which in the model non
 Such a block is made one for the other format, which its writer takes as if it had been read from
 there. USD has no blocks: what it has too are values here, and so are armatures of joints without an
 actuator.
+
+A universal joint of SDF turns about its first axis, then about its second one: two hinges of MJCF.
+A screw is a hinge and a slide that an equality holds together.
 """
 
 from __future__ import annotations
 
+from math import isfinite, pi
 from typing import NamedTuple
 
 from ..model.extras import RawXml
-from ..model.joint import FIXED, PRISMATIC, SINGLE
+from ..model.joint import FIXED, PRISMATIC, SINGLE, UNLIMITED
+from ..model.pose import rotate, rotation_from_rpy
 from ..model.values import attribute_text, child_named, content, numbers_in, numbers_of
 from ..xml.tree import Element, Text
 from ..xml.values import Numbers
@@ -24,7 +29,18 @@ if TYPE_CHECKING:
     from ..model.robot import Robot
     from ..source import Span
 
-BALL = "ball"
+BALL, UNIVERSAL, SCREW = "ball", "universal", "screw"
+PITCHES = {"screw_thread_pitch": 1.0, "thread_pitch": -2 * pi}
+"""What says the pitch of a screw: in m for each turn; in turns of 1 rad for each m, backwards."""
+DYNAMICS = {
+    "damping": "damping",
+    "friction": "frictionloss",
+    "spring_stiffness": "stiffness",
+    "spring_reference": "springref",
+}
+"""What the dynamics of an axis are in MJCF."""
+TIGHT = {"solref": "0.004 1", "solimp": "0.99 0.999 0.001"}
+"""How fast and how exactly an equality holds: as the writer of MJCF has it."""
 SPRINGS = {"stiffness": "spring_stiffness", "springref": "spring_reference"}
 """The values of a spring in MJCF, and the elements of SDF that say them of an axis."""
 
@@ -51,9 +67,10 @@ class Translation:
         blocks: the blocks.
         couplings: for SDF and USD, the equalities of joints that the model has not.
         taken: the identities of elements in blocks for another format that nothing is lost of.
+        screws: the blocks of screws, which the format has approximately.
     """
 
-    __slots__ = ("_robot", "armatures", "blocks", "couplings", "taken")
+    __slots__ = ("_robot", "armatures", "blocks", "couplings", "screws", "taken")
 
     def __init__(self, robot: Robot, format: str) -> None:
         self._robot = robot
@@ -61,6 +78,7 @@ class Translation:
         self.taken: set[int] = set()
         self.armatures: dict[str, float] = {}
         self.couplings: list[Coupling] = []
+        self.screws: list[RawXml] = []
         if format not in ("mjcf", "sdf", "usd"):
             return
         for raw in robot.raw():
@@ -191,6 +209,8 @@ class Translation:
         joint = self._robot.joints[name]
         kind = next((each for each in raw.elements if each.name == "type"), None)
         if kind is not None:
+            if content(kind) in (UNIVERSAL, SCREW):
+                return self._hinges(raw, name, kind)
             if content(kind) != BALL:
                 return []
             pose = next((each for each in raw.elements if each.name == "pose"), None)
@@ -216,6 +236,76 @@ class Translation:
             if theirs in given
         ]
         return [_block("mjcf", axis.span, values, joint=name)]
+
+    def _hinges(self, raw: RawXml, name: str, kind: Element) -> list[RawXml]:
+        """Return the joints of a body that are a universal joint or a screw together."""
+        said = {each.name: each for each in raw.elements}
+        pose = [*numbers_in(content(said.get("pose")))] or [0.0] * 6
+        turn = rotation_from_rpy(pose[3], pose[4], pose[5])
+        is_screw = content(kind) == SCREW
+        axes = [said.get("axis"), said.get("axis") if is_screw else said.get("axis2")]
+        joints = []
+        for number, (axis, suffix) in enumerate(zip(axes, ("axis", "axis2"), strict=True)):
+            xyz = numbers_in(content(child_named(axis, "xyz"))) if axis is not None else ()
+            if axis is None or len(xyz) != 3:
+                return []
+            x, y, z = xyz
+            attributes: dict[str, object] = {"name": f"{name}_{suffix}"}
+            if is_screw and number:
+                attributes |= {"name": f"{name}_slide", "type": "slide"}
+            attributes["axis"] = Numbers.of(*rotate(turn, (x, y, z)))
+            if any(pose[:3]):
+                attributes["pos"] = Numbers.of(*pose[:3])
+            if not (is_screw and number):
+                values, is_whole = _of_axis(axis)
+                attributes |= values
+                self.taken |= {id(axis)} if is_whole else set()
+            joints.append(Element("joint", axis.span, attributes))
+        self.taken |= {id(kind), id(said.get("pose"))}
+        blocks = [_block("mjcf", kind.span, joints, link=self._robot.joints[name].child)]
+        if is_screw:
+            blocks.append(_thread(kind, said, name))
+            self.taken |= {id(said[each]) for each in PITCHES if each in said}
+            self.screws.append(raw)
+        return blocks
+
+
+def _thread(kind: Element, said: dict[str, Element], name: str) -> RawXml:
+    """Return what holds the slide of a screw at its angle times the pitch."""
+    pitch = 1.0  # SDF's default
+    for word, each in PITCHES.items():
+        found = numbers_in(content(said.get(word)))
+        if found and found[0]:
+            pitch = found[0] if each > 0 else each / found[0]
+            break
+    row = Numbers.of(0.0, pitch / (2 * pi), 0.0, 0.0, 0.0)
+    ends: dict[str, object] = {"joint1": f"{name}_slide", "joint2": f"{name}_axis"}
+    held = Element("joint", kind.span, {**ends, "polycoef": row, **TIGHT})
+    return _block("mjcf", kind.span, [Element("equality", kind.span, children=[held])])
+
+
+def _of_axis(axis: Element) -> tuple[dict[str, object], bool]:
+    """Return what MJCF says of an axis of SDF, and whether that is all."""
+    found: dict[str, object] = {}
+    limit, dynamics = child_named(axis, "limit"), child_named(axis, "dynamics")
+    known = {"xyz", "limit", "dynamics"}
+    is_whole = known >= {each.name for each in axis.elements()}
+    given = {each.name: numbers_in(content(each)) for each in limit.elements()} if limit else {}
+    bounds = {name: row[0] for name, row in given.items() if len(row) == 1}
+    ends = bounds.get("lower", -UNLIMITED), bounds.get("upper", UNLIMITED)
+    bounded = [isfinite(end) and abs(end) < UNLIMITED for end in ends]
+    if all(bounded):
+        found["range"] = Numbers.of(*ends)
+    effort, velocity = bounds.get("effort", -1.0), bounds.get("velocity", -1.0)
+    if 0 < effort < UNLIMITED:
+        found["actuatorfrcrange"] = Numbers.of(-effort, effort)
+    is_whole &= any(bounded) == all(bounded) and not 0 <= velocity < UNLIMITED
+    is_whole &= given.keys() <= {"lower", "upper", "effort", "velocity"}
+    for each in dynamics.elements() if dynamics else ():
+        is_whole &= each.name in DYNAMICS
+        if each.name in DYNAMICS and any(numbers_in(content(each))):
+            found[DYNAMICS[each.name]] = content(each)
+    return found, is_whole
 
 
 def _leaf(name: str, value: object, span: Span) -> Element:
