@@ -61,11 +61,11 @@ class Level:
 
     __slots__ = ("has_end", "is_list", "new", "old")
 
-    def __init__(self, *, is_list: bool, old: int, new: int, has_end: bool = True) -> None:
+    def __init__(self, *, is_list: bool, old: int, new: int) -> None:
         self.is_list = is_list
         self.old = old
         self.new = new
-        self.has_end = has_end
+        self.has_end = True
 
 
 class Bracket:

@@ -229,7 +229,7 @@ class Options:
 
             _check_choice("version of SDF", self.sdf_version, TARGETS["sdf"].versions)
         if self.mujoco_version is not None:
-            _check_release("MuJoCo", self.mujoco_version)
+            _check_release(self.mujoco_version)
         ending = os.path.splitext(self.output or "")[1].lower()
         if self.target and ending:
             from .targets.table import TARGETS
@@ -316,7 +316,7 @@ def _formats(target: str | Sequence[str] | None) -> tuple[str, ...] | None:
     return tuple(formats)
 
 
-def _check_release(program: str, version: str) -> None:
+def _check_release(version: str) -> None:
     from .targets.table import OLDEST_MUJOCO, release
 
     oldest = ".".join(map(str, OLDEST_MUJOCO))
@@ -326,10 +326,10 @@ def _check_release(program: str, version: str) -> None:
         from .terminal import shortened
 
         raise UsageError(
-            f"'{shortened(str(version))}' is not a version of {program}; write it as {oldest}"
+            f"'{shortened(str(version))}' is not a version of MuJoCo; write it as {oldest}"
         ) from None
     if not is_known:
-        raise UsageError(f"{program} {version} is too old; {oldest} or newer can be asked for")
+        raise UsageError(f"MuJoCo {version} is too old; {oldest} or newer can be asked for")
 
 
 def _check_choice(what: str, value: str, known: Sequence[str]) -> None:

@@ -16,6 +16,7 @@ from .values import (
     UniqueNames,
     check_order,
     check_required,
+    check_spelling,
     check_value,
     children,
     is_near,
@@ -317,7 +318,7 @@ def _check_component(
     for child in part.elements():
         own = names.get(child.name)
         if own is None:
-            count += _check_spelling(child, COMPONENT_PARTS, where, context)
+            count += check_spelling(child, COMPONENT_PARTS, f"of {where}", "ros2_control", context)
             continue
         count += 1
         own.add(child, context)
@@ -341,30 +342,6 @@ def _check_component(
             missing="state_interface",
             hint="add `state_interface/name=position:`",
         )
-
-
-def _check_spelling(
-    child: Element,
-    known: Iterable[str],
-    where: str,
-    context: CheckContext,
-    *,
-    reader: str = "ros2_control",
-) -> bool:
-    """Report an element that is misspelt, and return whether it is."""
-    near = next((each for each in known if is_near(child.name, each)), None)
-    if child.name in known or near is None:
-        return False
-    from ..fixes import respelling
-
-    context.report(
-        "unknown-element",
-        f"'{child.name}' of {where} has no meaning; {reader} ignores it",
-        child,
-        hint=f"did you mean '{near}'?",
-        fix=respelling(child.span, child.name, near),
-    )
-    return True
 
 
 def _check_interface(interface: Element, part: Element, where: str, context: CheckContext) -> None:
@@ -571,13 +548,13 @@ def check_transmissions(
         misspelt = [
             child
             for child in transmission.elements()
-            if _check_spelling(child, PARTS_OF_TRANSMISSIONS, where, context, reader="ros_control")
+            if check_spelling(child, PARTS_OF_TRANSMISSIONS, f"of {where}", "ros_control", context)
         ]
         for part in (*joints, *actuators):
             own = f"the {part.name} '{named(part)}' of {where}"
             check_required(part, ("name",), own, skips, context)
             for child in part.elements():
-                _check_spelling(child, OF_TRANSMISSIONS, own, context, reader="ros_control")
+                check_spelling(child, OF_TRANSMISSIONS, f"of {own}", "ros_control", context)
             _check_reductions(part, ("mechanicalReduction", "mechanical_reduction"), own, context)
             _check_offset(part, own, context)
         if is_old:

@@ -35,6 +35,7 @@ from .values import (
     UniqueNames,
     check_order,
     check_required,
+    check_spelling,
     check_value,
     children,
     is_near,
@@ -52,7 +53,8 @@ if TYPE_CHECKING:
     from .context import CheckContext
     from .robot import Tree
 
-REFUSES = "libsdformat rejects the robot"
+READER = "libsdformat"
+REFUSES = f"{READER} rejects the robot"
 PRESERVED = ("preserveFixedJoint", "disableFixedJointLumping")
 OFTEN = ("sensor", "plugin", "visual", "collision", "light", "material")
 """What may be several times in a block."""
@@ -181,25 +183,7 @@ def _check_unknown(child: Element, table: Table, where: str, context: CheckConte
                 else f"it belongs in a block for {holder}",
             )
         return
-    _check_spelling(child, known, where, context)
-
-
-def _check_spelling(
-    child: Element, known: Iterable[str], where: str, context: CheckContext
-) -> None:
-    word = child.name
-    for near in known:
-        if is_near(word, near):
-            from ..fixes import respelling
-
-            context.report(
-                "unknown-element",
-                f"'{word}' {where} has no meaning; libsdformat ignores it",
-                child,
-                hint=f"did you mean '{near}'?",
-                fix=respelling(child.span, word, near),
-            )
-            return
+    check_spelling(child, known, where, READER, context)
 
 
 def check_table(element: Element, table: Table, where: str, context: CheckContext) -> None:
@@ -212,7 +196,7 @@ def check_table(element: Element, table: Table, where: str, context: CheckContex
         inner = table.get(child.name)
         if inner is None:
             known = [each for each in table if not each.startswith("@")]
-            _check_spelling(child, known, f"in {where}", context)
+            check_spelling(child, known, f"in {where}", READER, context)
         elif isinstance(inner, Value):
             rule = inner
             own = f"'{child.name}' of {where}"

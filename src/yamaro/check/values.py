@@ -106,6 +106,25 @@ def report_word(
     )
 
 
+def check_spelling(
+    child: Element, known: Iterable[str], where: str, reader: str, context: CheckContext
+) -> bool:
+    """Report an element that is misspelt, which its reader ignores; return whether it is."""
+    near = next((each for each in known if is_near(child.name, each)), None)
+    if child.name in known or near is None:
+        return False
+    from ..fixes import respelling
+
+    context.report(
+        "unknown-element",
+        f"'{child.name}' {where} has no meaning; {reader} ignores it",
+        child,
+        hint=f"did you mean '{near}'?",
+        fix=respelling(child.span, child.name, near),
+    )
+    return True
+
+
 def _check_numbers(
     text: str, rule: Value, where: str, element: Element, span: Span, context: CheckContext
 ) -> tuple[float, ...]:

@@ -83,7 +83,19 @@ def parse_arguments(argv: Sequence[str]) -> Arguments:
         elif word == "--":
             only_words = True
         elif word.startswith("--"):
-            _add_long_option(arguments, word, pending)
+            from .option_table import all_spellings, option_spelled
+
+            name, has_value, value = word.partition("=")
+            option = option_spelled(name, arguments.command)
+            if option is None:
+                raise WrongUsage(f"unknown option {quote(name)}{near(name, all_spellings())}")
+            if not option.value:
+                if has_value:
+                    raise WrongUsage(f"'{name}' takes no value")
+                value = ""
+            elif not has_value:
+                value = _next_value(name, option, pending)
+            _set_option(arguments, name, option, value)
         else:
             _add_short_options(arguments, word, pending)
         if arguments.has("version"):
@@ -125,22 +137,6 @@ def _add_word(arguments: Arguments, word: str, *, is_plain: bool) -> None:
         arguments.command = word
     else:
         arguments.words.append(STANDARD_INPUT if word == "/dev/stdin" else word)
-
-
-def _add_long_option(arguments: Arguments, word: str, pending: list[str]) -> None:
-    from .option_table import all_spellings, option_spelled
-
-    name, has_value, value = word.partition("=")
-    option = option_spelled(name, arguments.command)
-    if option is None:
-        raise WrongUsage(f"unknown option {quote(name)}{near(name, all_spellings())}")
-    if not option.value:
-        if has_value:
-            raise WrongUsage(f"'{name}' takes no value")
-        value = ""
-    elif not has_value:
-        value = _next_value(name, option, pending)
-    _set_option(arguments, name, option, value)
 
 
 def _add_short_options(arguments: Arguments, word: str, pending: list[str]) -> None:

@@ -166,23 +166,18 @@ def _surfaces(robot: Robot, gazebo: list[Placed], said: set[str]) -> Iterator[El
             note: Note | None = None
             for element, trace in blocks:
                 begun = note or Note("surface", element, trace, link=link, index=str(index))
-                if _read_surface(begun, element):
+                found = False
+                for child in element.elements():
+                    if child.name in SURFACE_TAGS:
+                        found |= begun.put_number(SURFACE_TAGS[child.name], child)
+                    elif child.name == "collision":
+                        surface = child_named(child, "surface")
+                        for attribute, path in SURFACE_PATHS.items():
+                            found |= begun.put_number(attribute, inside(surface, *path))
+                if found:
                     note = begun
             if note is not None:
                 yield note.element
-
-
-def _read_surface(note: Note, gazebo: Element) -> bool:
-    """Note the surface in a `<gazebo>`; return whether there is one."""
-    found = False
-    for child in gazebo.elements():
-        if child.name in SURFACE_TAGS:
-            found |= note.put_number(SURFACE_TAGS[child.name], child)
-        elif child.name == "collision":
-            surface = child_named(child, "surface")
-            for attribute, path in SURFACE_PATHS.items():
-                found |= note.put_number(attribute, inside(surface, *path))
-    return found
 
 
 # --- actuators --------------------------------------------------------------------------------
@@ -480,7 +475,15 @@ class GazeboSensors:
         self._place(note, home, pose, frame)
         if kind in CAMERAS:
             named = [element, *([] if camera is None else [camera]), *plugins]
-            self._read_optical_frame(note, named, frame, pose)
+            # Note the link that is a camera's optical frame, if there is one.
+            note.element.attributes["optical_frame"] = ""
+            for place in named:
+                for name in FRAME_IDS:
+                    found = child_named(place, name)
+                    link = content(found) or ""
+                    if link in self._robot.links and self._is_optical(link, frame, pose):
+                        note.put("optical_frame", link, found)
+                        return
         elif kind == "contact":
             seen = first_of(element, ("gz_frame_id", "ignition_frame_id"))
             if content(seen) in self._robot.links:
@@ -511,19 +514,6 @@ class GazeboSensors:
             number += 1
         self._taken[free] = home
         return free
-
-    def _read_optical_frame(
-        self, note: Note, places: list[Element], frame: str, pose: Pose
-    ) -> None:
-        """Note the link that is a camera's optical frame, if there is one."""
-        note.element.attributes["optical_frame"] = ""
-        for place in places:
-            for name in FRAME_IDS:
-                found = child_named(place, name)
-                link = content(found) or ""
-                if link in self._robot.links and self._is_optical(link, frame, pose):
-                    note.put("optical_frame", link, found)
-                    return
 
     def _is_optical(self, link: str, frame: str, pose: Pose) -> bool:
         """Return whether a link is turned like the optical frame of a camera."""

@@ -81,7 +81,36 @@ class _Shape(Public):
         return self.size
 
 
-class Box(_Shape):
+class _SimpleShape(_Shape):
+    """What the shapes that are made of numbers alone have in common."""
+
+    __slots__ = ()
+
+    def center(self) -> Vector:
+        """Return the centre of mass in the shape's frame, in metres."""
+        return ZERO
+
+
+class _RoundShape(_SimpleShape):
+    """A shape around z, with a radius and a length."""
+
+    __slots__ = ("length", "radius")
+    attributes = sizes = ("radius", "length")
+    example = "0.05 0.3"
+
+    def __init__(self, radius: float, length: float, *, element: Element | None = None) -> None:
+        """Create the shape from its radius and length in metres."""
+        self.radius = radius
+        self.length = length
+        self.element = element
+
+    @property
+    def size(self) -> tuple[float, ...]:
+        """Return the radius and the length in metres."""
+        return (self.radius, self.length)
+
+
+class Box(_SimpleShape):
     """A box given by the lengths of its edges."""
 
     __slots__ = ("x", "y", "z")
@@ -110,10 +139,6 @@ class Box(_Shape):
         """Return the volume in m³."""
         return self.x * self.y * self.z
 
-    def center(self) -> Vector:
-        """Return the centre of mass in the shape's frame, in metres."""
-        return ZERO
-
     def inertia(self, mass: float) -> Inertia:
         """Return the inertia about the centre of mass: m/12·(y² + z²), ….
 
@@ -124,24 +149,11 @@ class Box(_Shape):
         return (twelfth * (yy + zz), 0.0, 0.0, twelfth * (xx + zz), 0.0, twelfth * (xx + yy))
 
 
-class Cylinder(_Shape):
+class Cylinder(_RoundShape):
     """A cylinder along z."""
 
-    __slots__ = ("length", "radius")
+    __slots__ = ()
     kind = "cylinder"
-    attributes = sizes = ("radius", "length")
-    example = "0.05 0.3"
-
-    def __init__(self, radius: float, length: float, *, element: Element | None = None) -> None:
-        """Create a cylinder from its radius and length in metres."""
-        self.radius = radius
-        self.length = length
-        self.element = element
-
-    @property
-    def size(self) -> tuple[float, ...]:
-        """Return the radius and the length in metres."""
-        return (self.radius, self.length)
 
     def radius_around(self) -> float:
         """Return the radius of the smallest sphere around the shape's middle that holds it."""
@@ -150,10 +162,6 @@ class Cylinder(_Shape):
     def volume(self) -> float:
         """Return the volume in m³: π·r²·l."""
         return pi * self.radius * self.radius * self.length
-
-    def center(self) -> Vector:
-        """Return the centre of mass in the shape's frame, in metres."""
-        return ZERO
 
     def inertia(self, mass: float) -> Inertia:
         """Return the inertia about the centre of mass: m/12·(3r² + l²) twice, m·r²/2 about z.
@@ -165,7 +173,7 @@ class Cylinder(_Shape):
         return (across, 0.0, 0.0, across, 0.0, mass * rr / 2)
 
 
-class Sphere(_Shape):
+class Sphere(_SimpleShape):
     """A sphere."""
 
     __slots__ = ("radius",)
@@ -191,10 +199,6 @@ class Sphere(_Shape):
         """Return the volume in m³: 4/3·π·r³."""
         return 4 / 3 * pi * self.radius * self.radius * self.radius  # ** raises where it overflows
 
-    def center(self) -> Vector:
-        """Return the centre of mass in the shape's frame, in metres."""
-        return ZERO
-
     def inertia(self, mass: float) -> Inertia:
         """Return the inertia about the centre of mass: 2/5·m·r².
 
@@ -204,25 +208,12 @@ class Sphere(_Shape):
         return (moment, 0.0, 0.0, moment, 0.0, moment)
 
 
-class Capsule(_Shape):
+class Capsule(_RoundShape):
     """A cylinder along z with half a sphere on each end; its length is that of the cylinder."""
 
-    __slots__ = ("length", "radius")
+    __slots__ = ()
     kind = "capsule"
-    attributes = sizes = ("radius", "length")
-    example = "0.05 0.3"
     since = "1.1"
-
-    def __init__(self, radius: float, length: float, *, element: Element | None = None) -> None:
-        """Create a capsule from its radius, and its length without the half spheres, in metres."""
-        self.radius = radius
-        self.length = length
-        self.element = element
-
-    @property
-    def size(self) -> tuple[float, ...]:
-        """Return the radius, and the length without the half spheres, in metres."""
-        return (self.radius, self.length)
 
     def radius_around(self) -> float:
         """Return the radius of the smallest sphere around the shape's middle that holds it."""
@@ -231,10 +222,6 @@ class Capsule(_Shape):
     def volume(self) -> float:
         """Return the volume in m³: π·r²·(l + 4/3·r)."""
         return pi * self.radius * self.radius * (self.length + 4 / 3 * self.radius)
-
-    def center(self) -> Vector:
-        """Return the centre of mass in the shape's frame, in metres."""
-        return ZERO
 
     def inertia(self, mass: float) -> Inertia:
         """Return the inertia about the centre of mass.

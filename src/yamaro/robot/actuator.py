@@ -131,7 +131,11 @@ def _actuator(
     if known is not None:
         note.attributes[MOTOR] = spelled(format_value(known.value))
         places[MOTOR] = known.span
-    _add_armature(values, word)
+    # Add the armature that the inertia of the rotor is, seen through the gear.
+    if "rotor_inertia" in values:
+        numbers, span = values["rotor_inertia"]
+        gear = values["gear"][0].values[0] if "gear" in values else 1.0
+        values["armature"] = _computed(numbers.values[0] * gear * gear, span, word), span
     _add_gains(values, word, is_velocity=note.attributes["command"] == COMMANDS[1])
     for name, (numbers, span) in values.items():
         note.attributes[name], places[name] = numbers, span
@@ -288,14 +292,6 @@ def _left_of(before: RobotNote, given: Values) -> Values:
 
 
 # --- what follows from them ---------------------------------------------------------------------
-
-
-def _add_armature(values: Values, word: Element) -> None:
-    """Add the armature that the inertia of the rotor is, seen through the gear."""
-    if "rotor_inertia" in values:
-        numbers, span = values["rotor_inertia"]
-        gear = values["gear"][0].values[0] if "gear" in values else 1.0
-        values["armature"] = _computed(numbers.values[0] * gear * gear, span, word), span
 
 
 def _add_gains(values: Values, word: Element, *, is_velocity: bool) -> None:

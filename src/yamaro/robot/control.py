@@ -357,7 +357,17 @@ class ControlWriter:
                     self._joint(made, joint, initial.get(joint), commands=commands)
                 )
             elif child.name == "sensor":
-                block.children.append(self._sensor(made, str(child.attributes["name"])))
+                name = str(child.attributes["name"])
+                note = self._sensors[name]
+                sensor = made.element("sensor", {"name": name})
+                for interface in SENSOR_INTERFACES[str(note.attributes["type"])]:
+                    sensor.children.append(made.element("state_interface", {"name": interface}))
+                frame = note.attributes.get("frame")
+                if frame is not None:
+                    spans = note.value_spans or {}  # by default it is the sensor's
+                    place = note.value_span("frame" if spans.get("frame") is not None else "name")
+                    sensor.children.append(made.param("frame_id", str(frame), place))
+                block.children.append(sensor)
         for child in control.elements():
             if child.name == "gpio":  # whose commands come before its states
                 gpio = made.element("gpio", {"name": child.attributes["name"]})
@@ -484,18 +494,6 @@ class ControlWriter:
             return _number(limit, "lower", "0"), _number(limit, "upper", "0")
         most = _number(limit, command, None)
         return (None, None) if most is None else ((negated(most[0]), most[1]), most)
-
-    def _sensor(self, made: _Maker, name: str) -> Element:
-        note = self._sensors[name]
-        sensor = made.element("sensor", {"name": name})
-        for interface in SENSOR_INTERFACES[str(note.attributes["type"])]:
-            sensor.children.append(made.element("state_interface", {"name": interface}))
-        frame = note.attributes.get("frame")
-        if frame is not None:
-            has_place = note.value_spans is not None and note.value_spans.get("frame") is not None
-            place = note.value_span("frame" if has_place else "name")  # by default the sensor's
-            sensor.children.append(made.param("frame_id", str(frame), place))
-        return sensor
 
     def _transmission(self, made: _Maker, name: str) -> Element:
         actuator = self._actuators.get(name)

@@ -78,7 +78,12 @@ def lower_controllers(lowering: Lowering, word: RobotWord, out: list[Node]) -> N
         return
     for entry in given.values():
         try:
-            if _is_controller(entry):
+            # Whether an entry of the section is a controller: a mapping that no parameter is.
+            is_mapping = any(isinstance(child, Element) for child in entry.children) or any(
+                isinstance(child, Text) and isinstance(child.value, dict)
+                for child in entry.children
+            )
+            if is_mapping and entry.name not in MANAGER:
                 out.append(_controller(lowering, entry))
             elif entry.name == "distro":
                 manager.attributes["distro"] = one_of(entry, DISTROS)
@@ -98,14 +103,6 @@ def lower_controllers(lowering: Lowering, word: RobotWord, out: list[Node]) -> N
             lowering.absorb(error)
     if manager.attributes or manager.children:
         out.append(manager)
-
-
-def _is_controller(entry: Element) -> bool:
-    """Return whether an entry of the section is a controller: a mapping that no parameter is."""
-    is_mapping = any(isinstance(child, Element) for child in entry.children) or any(
-        isinstance(child, Text) and isinstance(child.value, dict) for child in entry.children
-    )
-    return is_mapping and entry.name not in MANAGER
 
 
 def _controller(lowering: Lowering, entry: Element) -> RobotNote:
@@ -426,7 +423,15 @@ def choose_joints(
         **lowering.part_joints,
         **{format_value(e.attributes.get("name")): "" for e in elements if e.name == "joint"},
     }
-    driven = _driven(elements) or known
+    # The joints in blocks of ros2_control, whether from words or from files.
+    in_blocks: set[str] = set()
+    for each in elements:
+        if each.name == "ros2_control":
+            for child in each.elements():
+                if child.name == "joint":
+                    key = "joint" if "joint" in child.attributes else "name"
+                    in_blocks.add(format_value(child.attributes.get(key)))
+    driven = in_blocks or known
     for controller in controllers:
         note = controller.note
         has_group = any(child.name == "robot-group" for child in note.elements())
@@ -447,18 +452,6 @@ def choose_joints(
         for parameter in note.elements():
             if parameter.name == PARAMETER:
                 _name_joints(lowering, controller, parameter, names, every)
-
-
-def _driven(elements: Sequence[Element]) -> set[str]:
-    """Return the joints in blocks of ros2_control, whether from words or from files."""
-    found: set[str] = set()
-    for each in elements:
-        if each.name == "ros2_control":
-            for child in each.elements():
-                if child.name == "joint":
-                    key = "joint" if "joint" in child.attributes else "name"
-                    found.add(format_value(child.attributes.get(key)))
-    return found
 
 
 def _name_joints(

@@ -86,7 +86,15 @@ def lower_joint_sensor(lowering: Lowering, word: Element, joint: str, out: list[
     """Append the note of a sensor in a joint; record what is wrong."""
     try:
         note, keys = _sensor(lowering, word, JOINT_SENSORS)
-        _refuse_pose(keys, "a sensor in a joint measures at the joint")
+        for name in POSE_ROWS:
+            if name in keys:
+                raise failure(
+                    "misplaced-key",
+                    f"a sensor in a joint measures at the joint, so '{name}' has no meaning",
+                    keys[name].span,
+                    hint=f"remove '{name}'",
+                    trace=keys[name].trace,
+                )
     except YamaroError as error:
         lowering.absorb(error)
         return
@@ -215,18 +223,6 @@ def _check_keys(keys: dict[str, Element], kind: str, types: Mapping[str, Thing])
         found += error.diagnostics
     if found:
         raise YamaroError(found)
-
-
-def _refuse_pose(keys: dict[str, Element], reason: str) -> None:
-    for name in POSE_ROWS:
-        if name in keys:
-            raise failure(
-                "misplaced-key",
-                f"{reason}, so '{name}' has no meaning",
-                keys[name].span,
-                hint=f"remove '{name}'",
-                trace=keys[name].trace,
-            )
 
 
 def read_field(

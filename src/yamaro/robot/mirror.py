@@ -238,7 +238,19 @@ class _Image:
                         leader = self.signs.get(format_value(mimic.attributes.get("joint")), 1)
                         reverse_mimic(copy, follower=self.signs[name_of(copy)], leader=leader)
             elif copy.name == "link":
-                self._mirror_link(copy)
+                normal = self.mirror.normal
+                mirror_link(copy, normal)
+                for section in copy.elements():
+                    name = section.attributes.get("name")
+                    if name is not None:
+                        section.attributes["name"] = self.mirror.renaming.apply(format_value(name))
+                    if section.name not in ("inertial", "visual", "collision"):
+                        self._warn_of_poses(section)
+                for mesh in meshes_of(copy):
+                    if self.mirror.meshes == "scale":
+                        turn_mesh(mesh, normal)
+                    elif isinstance(self.mirror.meshes, dict):
+                        self._replace_mesh(mesh, self.mirror.meshes)
             elif isinstance(copy, RobotNote):
                 mirror_pose_in(copy, self.mirror.normal)
                 for joint in copy.elements():
@@ -264,21 +276,6 @@ class _Image:
         return found
 
     # --- links ---
-
-    def _mirror_link(self, link: Element) -> None:
-        normal = self.mirror.normal
-        mirror_link(link, normal)
-        for section in link.elements():
-            name = section.attributes.get("name")
-            if name is not None:
-                section.attributes["name"] = self.mirror.renaming.apply(format_value(name))
-            if section.name not in ("inertial", "visual", "collision"):
-                self._warn_of_poses(section)
-        for mesh in meshes_of(link):
-            if self.mirror.meshes == "scale":
-                turn_mesh(mesh, normal)
-            elif isinstance(self.mirror.meshes, dict):
-                self._replace_mesh(mesh, self.mirror.meshes)
 
     def _replace_mesh(self, mesh: Element, files: dict[str, str]) -> None:
         """Replace a mesh file by the one that is given for it, by its path or its last name."""

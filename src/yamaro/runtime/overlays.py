@@ -208,7 +208,14 @@ def given_overlays(
     found = []
     for overlay in overlays:
         if isinstance(overlay, str):
-            source = _read_file(interpreter, overlay)
+            path = os.path.abspath(overlay)
+            files = interpreter.files
+            try:
+                source = files.read_given(path, overlay)
+            except LoadError as error:
+                near = did_you_mean(os.path.basename(path), files.neighbours(path))
+                message = f"the overlay cannot be read: {error}"
+                raise failure_of_all(error.code, message, overlay, error.hint or near) from None
         else:
             import json
 
@@ -216,17 +223,6 @@ def given_overlays(
             source = Source(json.dumps(whole, default=plain_data), name=KEYWORD_ARGUMENT)
         found.append(read_overlay(source, interpreter.limits, interpreter.reporter))
     return found
-
-
-def _read_file(interpreter: Interpreter, name: str) -> Source:
-    path = os.path.abspath(name)
-    files = interpreter.files
-    try:
-        return files.read_given(path, name)
-    except LoadError as error:
-        near = did_you_mean(os.path.basename(path), files.neighbours(path))
-        message = f"the overlay cannot be read: {error}"
-        raise failure_of_all(error.code, message, name, error.hint or near) from None
 
 
 def overlays_of_include(

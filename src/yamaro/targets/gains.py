@@ -102,19 +102,12 @@ class Load:
 class Gains:
     """Works out gains, at the positions where joints rest."""
 
-    __slots__ = ("_followers", "_has_armature", "_is_fixed", "_loads", "_poses", "_robot")
+    __slots__ = ("_followers", "_is_fixed", "_loads", "_poses", "_robot")
 
-    def __init__(self, robot: Robot, *, is_fixed: bool, has_armature: bool) -> None:
-        """Prepare for a robot.
-
-        Args:
-            robot: the robot.
-            is_fixed: whether its root is fixed in the world.
-            has_armature: whether the simulator knows the armature of the actuators.
-        """
+    def __init__(self, robot: Robot, *, is_fixed: bool) -> None:
+        """Prepare for a robot, whose root is fixed in the world or not."""
         self._robot = robot
         self._is_fixed = is_fixed
-        self._has_armature = has_armature
         self._followers: dict[str, list[tuple[float, Joint]]] = {}
         for joint in robot.joints.values():
             if joint.mimic is not None and joint.type in SINGLE:
@@ -190,7 +183,7 @@ class Gains:
         """Return the inertia that a joint moves itself, and the greatest effort of its weight."""
         load, pose = self._loads[joint.child], self._poses[joint.child]
         axis = rotate(pose.rotation, joint.axis)
-        actuator = self._robot.actuators.get(joint.name) if self._has_armature else None
+        actuator = self._robot.actuators.get(joint.name)
         armature = actuator.armature or 0.0 if actuator is not None else 0.0
         mass = self._carried(joint).mass
         if joint.type == PRISMATIC:

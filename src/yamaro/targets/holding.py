@@ -257,20 +257,15 @@ def lost_fields(format: str, thing: str) -> Mapping[str, Missing]:
 # --- sections -----------------------------------------------------------------------------------
 
 
-def lost_sections(
-    robot: Robot, *, states: bool = False, actuators: bool = False, controls: bool = False
-) -> Losses:
+def lost_sections(robot: Robot, *, states: bool = False, controls: bool = False) -> Losses:
     """Return the losses of a format without groups, and without what is named.
 
     Args:
         robot: the robot.
         states: whether named positions are lost.
-        actuators: whether actuators are lost.
         controls: whether the hardware that drives joints is lost.
     """
     found = Losses()
-    for actuator in robot.actuators.values() if actuators else ():
-        found.lose("actuators", actuator)
     for control in robot.controls if controls else ():
         found.lose("blocks of ros2_control", control, label=f"'{control.name or robot.name}'")
     for state in robot.states.values() if states else ():

@@ -107,7 +107,16 @@ class MeshPaths:
         if path is None:
             return filename
         if path.startswith(MADE):
-            return self._beside(filename)
+            # The name of a file that is written beside the output, by the path from there.
+            path = os.path.join(self._folder, *filename.split("/"))
+            if self._mode == ABSOLUTE:
+                return path
+            found = (self._mode, self._package) if self._package else None
+            if self._mode == PACKAGE:
+                around = self.finder.package_around(path)
+                found = around and (PACKAGE + around[0], around[1])
+            inner = _below(path, found[1]) if found else None
+            return f"{found[0]}/{inner}" if found and inner is not None else filename
         if self._mode == ABSOLUTE:
             return path
         if self.assets is not None:
@@ -125,18 +134,6 @@ class MeshPaths:
             if inner is not None:
                 return f"{self._mode}/{inner}"
         return self._from_folder(filename, path) if is_relative else filename
-
-    def _beside(self, filename: str) -> str:
-        """Return the name of a file that is written beside the output, by the path from there."""
-        path = os.path.join(self._folder, *filename.split("/"))
-        if self._mode == ABSOLUTE:
-            return path
-        found = (self._mode, self._package) if self._package else None
-        if self._mode == PACKAGE:
-            around = self.finder.package_around(path)
-            found = around and (PACKAGE + around[0], around[1])
-        inner = _below(path, found[1]) if found else None
-        return f"{found[0]}/{inner}" if found and inner is not None else filename
 
     def _from_folder(self, filename: str, path: str) -> str:
         """Return the path of a file from the folder of the output."""

@@ -70,26 +70,22 @@ def scalar_of(value: object) -> str:
     if isinstance(value, int):
         return str(value)
     if isinstance(value, float):
-        return _double(value)
+        # A double, with 15 digits and always with a point: YAML 1.1 wants one before `e`.
+        if not isfinite(value):
+            return ".nan" if value != value else ".inf" if value > 0 else "-.inf"
+        text = format_value(value)
+        number, mark, exponent = text.partition("e")
+        if "." not in number:
+            number += ".0"
+        if mark and exponent[:1] not in "+-":
+            exponent = f"+{exponent}"
+        return number + mark + exponent
     if isinstance(value, list):
         return f"[{', '.join(map(scalar_of, value))}]"
     if isinstance(value, dict):
         inner = ", ".join(f"{text_of(name)}: {scalar_of(each)}" for name, each in value.items())
         return f"{{{inner}}}"
     return text_of(str(value))
-
-
-def _double(value: float) -> str:
-    """Return a double, with 15 digits and always with a point: YAML 1.1 wants one before `e`."""
-    if not isfinite(value):
-        return ".nan" if value != value else ".inf" if value > 0 else "-.inf"
-    text = format_value(value)
-    number, mark, exponent = text.partition("e")
-    if "." not in number:
-        number += ".0"
-    if mark and exponent[:1] not in "+-":
-        exponent = f"+{exponent}"
-    return number + mark + exponent
 
 
 def text_of(text: str) -> str:

@@ -100,7 +100,7 @@ def drives_of(robot: Robot, names: Mapping[str, str], *, is_fixed: bool) -> list
         names: what the framework calls its joints.
         is_fixed: whether its root is fixed in the world.
     """
-    gains = Gains(robot, is_fixed=is_fixed, has_armature=True)
+    gains = Gains(robot, is_fixed=is_fixed)
     return [
         Drive(names[name], robot.joints[name], actuator, gains)
         for name, actuator in robot.actuators.items()

@@ -129,7 +129,16 @@ class XacroNames:
                     Name(kind, defined.name, span, element, macro, is_definition=True)
                 )
             if defined.kind == MACRO:
-                self._take_parameters(element)
+                text = format_value(element.attributes.get("params", ""))
+                whole = element.value_span("params")
+                for each in defined.parameters():
+                    name = each.name.lstrip("*")
+                    if name:
+                        start = each.start + len(each.name) - len(name)
+                        span = stretch(whole, text, start, start + len(name))
+                        self.found.append(
+                            Name(PARAMETER, name, span, element, element, is_definition=True)
+                        )
             return
         tag = element.name[len(PREFIX) :]
         if tag == "insert_block" and "name" in given:
@@ -148,17 +157,6 @@ class XacroNames:
             if not attribute.startswith("xmlns") and (element.name, attribute) != _CALLED:
                 place = element.name_span(attribute)
                 self.found.append(Name(PARAMETER, attribute, place, element, macro, owner=own))
-
-    def _take_parameters(self, macro: Element) -> None:
-        text = format_value(macro.attributes.get("params", ""))
-        whole = macro.value_span("params")
-        defined = definition_of(macro)
-        for each in defined.parameters() if defined is not None else ():
-            name = each.name.lstrip("*")
-            if name:
-                start = each.start + len(each.name) - len(name)
-                span = stretch(whole, text, start, start + len(name))
-                self.found.append(Name(PARAMETER, name, span, macro, macro, is_definition=True))
 
     # --- what is computed -------------------------------------------------------------------
 

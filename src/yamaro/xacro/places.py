@@ -24,17 +24,11 @@ class XacroPlace:
 
     __slots__ = ("attribute", "node", "shift", "trace")
 
-    def __init__(
-        self,
-        node: Element | Text | Comment,
-        attribute: str,
-        trace: Frame | None,
-        shift: int = 0,
-    ) -> None:
+    def __init__(self, node: Element | Text | Comment, attribute: str, trace: Frame | None) -> None:
         self.node = node
         self.attribute = attribute
         self.trace = trace
-        self.shift = shift
+        self.shift = 0
 
     def span(self, start: int = 0, end: int | None = None) -> Span:
         """Return the place of the whole, or of a stretch of it."""

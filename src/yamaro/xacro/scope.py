@@ -294,7 +294,14 @@ def define_property(expansion: Expansion, node: Element, site: Site) -> None:
             node,
         )
     if is_removed and scope.has(name):
-        _remove(expansion, name, given, scope)
+        scope.remove(name)
+        if name in expansion.evaluator.names:
+            expansion.reporter.report(
+                "xacro-redefined",
+                f"'{name}' has a meaning in all expressions, which cannot be removed",
+                given.element.value_span("name"),
+                trace=expansion.frame,
+            )
         return
     text, attribute = given.value, "value"
     if given.default is not None:
@@ -386,17 +393,6 @@ def _truth(
             place.span(),
             trace=expansion.frame,
         ) from None
-
-
-def _remove(expansion: Expansion, name: str, given: Property, scope: Scope) -> None:
-    scope.remove(name)
-    if name in expansion.evaluator.names:
-        expansion.reporter.report(
-            "xacro-redefined",
-            f"'{name}' has a meaning in all expressions, which cannot be removed",
-            given.element.value_span("name"),
-            trace=expansion.frame,
-        )
 
 
 def _parent(expansion: Expansion, given: Property, scope: Scope) -> Scope:

@@ -134,23 +134,20 @@ def read_xml(source: Source, limits: Limits | None = None, *, exact: bool = Fals
         # Gazebo's parser takes these faults, so that its users do not see them.
         if error.diagnostics[0].code != "xml-syntax" or not _OF_SDF.search(source.text):
             raise
-        mended = _mended(source.text)
+        # A text of the same length without `--` in comments, and space before `<?xml`.
+        text = source.text
+        text = _LATE_DECLARATION.sub(lambda found: " " * len(found[0]), text)
+
+        def comment(found: re.Match[str]) -> str:
+            body = found[1]
+            if "--" in body:
+                body = body.replace("--", "- ").replace("--", "- ")
+            return f"<!--{body[:-1]} -->" if body.endswith("-") else f"<!--{body}-->"
+
+        mended = _COMMENT.sub(comment, text)
         if mended == source.text:
             raise
     return XmlReader(source, limits, exact, mended).read()
-
-
-def _mended(text: str) -> str:
-    """Return a text of the same length without `--` in comments, and space before `<?xml`."""
-    text = _LATE_DECLARATION.sub(lambda found: " " * len(found[0]), text)
-
-    def comment(found: re.Match[str]) -> str:
-        body = found[1]
-        if "--" in body:
-            body = body.replace("--", "- ").replace("--", "- ")
-        return f"<!--{body[:-1]} -->" if body.endswith("-") else f"<!--{body}-->"
-
-    return _COMMENT.sub(comment, text)
 
 
 class TagSpan(Span):

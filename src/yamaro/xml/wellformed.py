@@ -36,26 +36,20 @@ def check_document(text: str, limits: Limits) -> None:
     try:
         _Checker(limits).check(data)
     except NotWellFormed:
-        older = _with_older_names(text)
+        # A document with other letters in place of those that expat does not know in names.
+        # It knows the letters of the fourth edition of XML 1.0, and names are those of the fifth.
+        # Each letter gets one of its own, so that what was equal or not stays so.
+        from .values import bad_name_character
+
+        known = range(0x4E00, 0x9FA6)  # ideographs, which both editions know
+        present = {ord(char) for char in text if not char.isascii()}
+        free = (code for code in known if code not in present)
+        newer = (code for code in sorted(present) if code not in known)
+        starts = (code for code in newer if bad_name_character(chr(code)) is None)
+        older = text.translate(dict(zip(starts, free, strict=False)))
         if older == text:
             raise
         _Checker(limits).check(older.encode())
-
-
-def _with_older_names(text: str) -> str:
-    """Return a document with other letters in place of those that expat does not know in names.
-
-    It knows the letters of the fourth edition of XML 1.0, and names are those of the fifth. Each
-    letter gets one of its own, so that what was equal or not stays so.
-    """
-    from .values import bad_name_character
-
-    known = range(0x4E00, 0x9FA6)  # ideographs, which both editions know
-    present = {ord(char) for char in text if not char.isascii()}
-    free = (code for code in known if code not in present)
-    newer = (code for code in sorted(present) if code not in known)
-    starts = (code for code in newer if bad_name_character(chr(code)) is None)
-    return text.translate(dict(zip(starts, free, strict=False)))
 
 
 class _Checker:

@@ -20,6 +20,13 @@ def test_an_include_named_by_an_argument_alone_is_not_frozen(tmp_path: Path) -> 
     assert "include: $(kind).yaml" in migration.files["r.yaml"]
 
 
+def test_files_that_a_name_may_mean_are_in_the_order_of_their_names(tmp_path: Path) -> None:
+    files = {f"{each}.xacro": f'<link name="{each}"/>' for each in "cbadefgh"}
+    include = '<xacro:include filename="$(arg kind).xacro"/>'
+    migration = holds(tmp_path, files | {"r.xacro": ARGUMENT + include})
+    assert [*migration.files] == ["r.yaml", "h.yaml", *(f"{each}.yaml" for each in "abcdefg")]
+
+
 def test_an_include_named_by_a_parameter_alone_is_not_frozen(tmp_path: Path) -> None:
     include = '<xacro:include filename="${layout}"/>'
     macro = f'<xacro:macro name="m" params="layout">{include}</xacro:macro>'

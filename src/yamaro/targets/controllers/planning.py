@@ -97,14 +97,30 @@ class Plan:
         self._gains: Gains | None = None
         self._taken: set[str] = set()
         if self.hardware.is_assumed:
-            self._warn_of_hardware()
+            self._warn(
+                "control-assumed",
+                "no `control` says what drives the joints; all are taken to be driven as by their "
+                "actuators",
+                self.robot.span,
+                "add a <ros2_control> element with the hardware and its joints"
+                if self.robot.span.source.is_xml
+                else "write control: {plugin: mock_components/GenericSystem}",
+            )
         own = [self._given(controller) for controller in robot.controllers.values()]
         if not any(each.word == JOINT_STATE for each in own):
             self._add(TYPES[JOINT_STATE], "joint_state_broadcaster", None)
         self.controllers += own
         self._add_for_groups()
         self._add_for_the_rest()
-        self._add_for_sensors()
+        read = [each.parameters.get("sensor_name") for each in self.controllers]
+        kinds = {each.sensor: each for each in TYPES.values() if each.sensor}
+        for name, reading in self.hardware.sensors.items():
+            if name in read or reading.type not in kinds:
+                continue
+            if not reading.frame:
+                continue
+            planned = self._add(kinds[reading.type], f"{name}_broadcaster", None)
+            planned.parameters = {"sensor_name": name, "frame_id": reading.frame}
         if self.errors:
             raise YamaroError(self.errors)
 
@@ -238,17 +254,6 @@ class Plan:
             Diagnostic(code, message, span, hint=hint, severity=WARNING, trace=trace)
         )
 
-    def _warn_of_hardware(self) -> None:
-        self._warn(
-            "control-assumed",
-            "no `control` says what drives the joints; all are taken to be driven as by their "
-            "actuators",
-            self.robot.span,
-            "add a <ros2_control> element with the hardware and its joints"
-            if self.robot.span.source.is_xml
-            else "write control: {plugin: mock_components/GenericSystem}",
-        )
-
     def _check_command(self, controller: Controller, joint: str, command: str) -> None:
         commands = self.hardware.commands.get(joint, ())
         if command in commands or self.hardware.is_assumed:
@@ -341,17 +346,6 @@ class Plan:
                 planned = self._add(TYPES[FORWARD], name, None, joints)
                 planned.parameters = {"joints": joints, "interface_name": command}
 
-    def _add_for_sensors(self) -> None:
-        read = [each.parameters.get("sensor_name") for each in self.controllers]
-        kinds = {each.sensor: each for each in TYPES.values() if each.sensor}
-        for name, reading in self.hardware.sensors.items():
-            if name in read or reading.type not in kinds:
-                continue
-            if not reading.frame:
-                continue
-            planned = self._add(kinds[reading.type], f"{name}_broadcaster", None)
-            planned.parameters = {"sensor_name": name, "frame_id": reading.frame}
-
     # --- trajectories ---
 
     def _fill_trajectory(self, planned: Planned, given: dict[str, object]) -> None:
@@ -400,7 +394,7 @@ class Plan:
             return {"p": 0.0}
         if self._gains is None:
             is_fixed = self._wanted.is_fixed
-            self._gains = Gains(self.robot, is_fixed=is_fixed, has_armature=True)
+            self._gains = Gains(self.robot, is_fixed=is_fixed)
         stiffness = self._gains.of_position(joint)
         self.losses.approximate(
             "trajectories of joints that are driven by effort",

@@ -121,7 +121,8 @@ def radius_of(wheels: Sequence[Wheel]) -> float | None:
 
 def separation_of(left: Sequence[Wheel], right: Sequence[Wheel]) -> float:
     """Return how far the wheels of both sides are apart along y, between their middles."""
-    return abs(_mean(left, 1) - _mean(right, 1))
+    mean = [sum(wheel.center[1] for wheel in wheels) / len(wheels) for wheels in (left, right)]
+    return abs(mean[0] - mean[1])
 
 
 def base_of(front: Sequence[Vector], rear: Sequence[Vector]) -> float:
@@ -133,7 +134,3 @@ def base_of(front: Sequence[Vector], rear: Sequence[Vector]) -> float:
 def reach_of(wheels: Sequence[Wheel]) -> float:
     """Return the mean distance of wheels from the z axis of the root."""
     return sum(hypot(wheel.center[0], wheel.center[1]) for wheel in wheels) / len(wheels)
-
-
-def _mean(wheels: Sequence[Wheel], axis: int) -> float:
-    return sum(wheel.center[axis] for wheel in wheels) / len(wheels)

@@ -87,7 +87,7 @@ def write(robot: Robot, wanted: Wanted) -> Output:
             hint = cause.hint or ""
             losses.append(Loss(LOST, what, reason, cause.span, trace=cause.trace, hint=hint))
     positions = joint_positions(robot, home_positions(robot))
-    gains = Gains(robot, is_fixed=is_fixed, has_armature=True)
+    gains = Gains(robot, is_fixed=is_fixed)
     data = {
         "about": MARK,
         "version": VERSION,

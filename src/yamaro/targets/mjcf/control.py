@@ -58,7 +58,7 @@ def add_actuators(writing: Writing) -> set[str]:
     """
     bounded = set()
     robot = writing.robot
-    gains = Gains(robot, is_fixed=writing.wanted.is_fixed, has_armature=True)
+    gains = Gains(robot, is_fixed=writing.wanted.is_fixed)
     for name, actuator in robot.actuators.items():
         joint = robot.joints.get(name)
         since = POSITION_LINES if actuator.command == POSITION else LINES

@@ -75,7 +75,19 @@ def write(robot: Robot, wanted: Wanted) -> Output:
     joints = _joints(robot, Output(document(writing, own), names=writing.own_names()))
     names = {str(each["yamaro"]): _name(each) for each in joints if each["yamaro"] is not None}
     drives = drives_of(robot, names, is_fixed=wanted.is_fixed)
-    actuators.children += _others(writing, written, drives, losses)
+    # The actuators of blocks that drive something else than what mjlab drives.
+    driven = {writing.joint_name(each.joint.name) for each in drives}
+    ours = {str(each.attributes["joint"]) for each in written if id(each) in writing.controls}
+    others: list[Element] = []
+    for each in written:
+        joint = str(each.attributes.get("joint"))
+        if id(each) in writing.controls or (joint in driven and joint not in ours):
+            continue
+        what, label = "actuators in blocks for MJCF", f"<{each.name}>"
+        losses.lose_xml(what, each, label=label, trace=each.trace_within(None))
+        if joint not in driven:
+            others.append(each)
+    actuators.children += others
     lose_parts_of_steps(losses, drives)
     start = _start(joints, home)
     model = write_xml(document(writing, own))
@@ -98,24 +110,6 @@ def _home(writing: Writing) -> Element | None:
         add_key(writing, HOME, writing.robot.states.get(HOME), rows)
         known[HOME] = keys.elements()[-1]
     return known.get(HOME)
-
-
-def _others(
-    writing: Writing, written: list[Element], drives: list[Drive], losses: Losses
-) -> list[Element]:
-    """Return the actuators of blocks that drive something else than what mjlab drives."""
-    driven = {writing.joint_name(each.joint.name) for each in drives}
-    ours = {str(each.attributes["joint"]) for each in written if id(each) in writing.controls}
-    others: list[Element] = []
-    for each in written:
-        joint = str(each.attributes.get("joint"))
-        if id(each) in writing.controls or (joint in driven and joint not in ours):
-            continue
-        what, label = "actuators in blocks for MJCF", f"<{each.name}>"
-        losses.lose_xml(what, each, label=label, trace=each.trace_within(None))
-        if joint not in driven:
-            others.append(each)
-    return others
 
 
 def _joints(robot: Robot, model: Output) -> list[Entry]:

@@ -41,7 +41,8 @@ def write(robot: Robot, wanted: Wanted) -> Output:
     ending = TARGETS["moveit"].ending
     folder = wanted.file_name or file_name_for(robot.name, "moveit", wanted.name)
     stem = folder.removesuffix(ending)
-    package = _package_name(folder)
+    name = "".join(each if each.isascii() and each.isalnum() else "_" for each in folder.lower())
+    package = name if name[:1].isalpha() else f"robot_{name}"
     plan = Plan(robot, wanted)
     semantic = write_srdf(robot, wanted)
     losses = [*semantic.losses, *plan.losses]
@@ -68,20 +69,11 @@ def write(robot: Robot, wanted: Wanted) -> Output:
     files = {name: text.encode() for name, text in texts.items()}
     srdf = "".join(write_pieces(semantic.root))
     for ending, text in (("urdf", urdf), ("srdf", srdf)):
-        files[f"config/{stem}.{ending}"] = marked(_for_xacro(text).encode(), _COMMENT)
+        files[f"config/{stem}.{ending}"] = marked(
+            text.replace("$(", "$$(").replace("${", "$${").encode(), _COMMENT
+        )
     warnings = [*semantic.warnings, *plan.warnings, *lacking_limits(robot)]
     return Output(None, losses, files | assets, warnings=warnings)
-
-
-def _for_xacro(text: str) -> str:
-    """Return a document that xacro, with which the builder reads it, leaves as it is."""
-    return text.replace("$(", "$$(").replace("${", "$${")
-
-
-def _package_name(folder: str) -> str:
-    """Return the name of the package: ROS takes lower-case letters, digits and `_`."""
-    name = "".join(each if each.isascii() and each.isalnum() else "_" for each in folder.lower())
-    return name if name[:1].isalpha() else f"robot_{name}"
 
 
 def _fixed_frame(robot: Robot) -> str:

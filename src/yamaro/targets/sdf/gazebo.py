@@ -18,7 +18,6 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Collection, Container
 
-    from ...diagnostics import Frame as Step
     from ...model.robot import Robot
 
 MODEL_TAGS = {
@@ -83,7 +82,21 @@ class GazeboBlocks:
         for block in robot.element.elements():
             if block.name == "gazebo":
                 trace = block.trace_within(None)
-                self._read(block, attribute_text(block, "reference"), trace)
+                reference = attribute_text(block, "reference")
+                for each in block.elements():
+                    if reference is None:
+                        taken = self._take_for_model(each)
+                    elif reference in self._robot.links:
+                        taken = self._take_for_link(each, reference)
+                    elif reference in self._robot.joints:
+                        taken = self._take_for_joint(each, reference)
+                    else:
+                        taken = False
+                    is_read = is_surface(each, self._robot, reference)
+                    if not taken and not is_read and each.name not in FOR_LUMPING:
+                        owner = f"'{reference}'" if reference is not None else "the robot"
+                        what = f"Gazebo's <{each.name}> elements"
+                        self.losses.lose_xml(what, each, label=owner, trace=trace)
 
     def left(self, bodies: Collection[str]) -> Losses:
         """Return the losses of elements for links that are not bodies of their own."""
@@ -101,22 +114,6 @@ class GazeboBlocks:
             copied.add(sensor.span.key())
             copied.update(child.span.key() for child in sensor.elements())  # of a multicamera
         return {each.name for each in self._robot.sensors.values() if each.span.key() in copied}
-
-    def _read(self, block: Element, reference: str | None, trace: Step | None) -> None:
-        for each in block.elements():
-            if reference is None:
-                taken = self._take_for_model(each)
-            elif reference in self._robot.links:
-                taken = self._take_for_link(each, reference)
-            elif reference in self._robot.joints:
-                taken = self._take_for_joint(each, reference)
-            else:
-                taken = False
-            is_read = is_surface(each, self._robot, reference)
-            if not taken and not is_read and each.name not in FOR_LUMPING:
-                owner = f"'{reference}'" if reference is not None else "the robot"
-                what = f"Gazebo's <{each.name}> elements"
-                self.losses.lose_xml(what, each, label=owner, trace=trace)
 
     def _take_for_model(self, each: Element) -> bool:
         name = MODEL_TAGS.get(each.name)

@@ -61,7 +61,7 @@ class JointWriter:
             is_fixed: whether its root is fixed in the world.
         """
         self._robot = robot
-        self.gains = Gains(robot, is_fixed=is_fixed, has_armature=True)
+        self.gains = Gains(robot, is_fixed=is_fixed)
         self.efforts: dict[str, float | None] = {}
         self.has_drake = False
         self._names = names

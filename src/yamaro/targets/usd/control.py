@@ -45,7 +45,7 @@ class ControlWriter:
         self._stage, self._robot = writing.stage, writing.robot
         self._names, self._root = writing.names, writing.root
         is_fixed = writing.wanted.is_fixed
-        self._chosen = Gains(writing.robot, is_fixed=is_fixed, has_armature=True)
+        self._chosen = Gains(writing.robot, is_fixed=is_fixed)
         self._folder = ""
         self._motors: dict[str, Usd.Prim] = {}
         self._apart: list[tuple[UsdPhysics.DriveAPI, Actuator, float, float, float | None]] = []

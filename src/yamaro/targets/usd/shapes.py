@@ -316,7 +316,8 @@ class ShapeWriter:
         if any(value is not None for value in key):
             material = self._frictions.get(key)
             if material is None:
-                path = self._material_path("surface")
+                self._stage.DefinePrim(self._folder, "Scope")
+                path = self._names.new(self._folder, "surface")
                 material = self._frictions[key] = UsdShade.Material.Define(self._stage, path)
                 physics = UsdPhysics.MaterialAPI.Apply(material.GetPrim())
                 if surface.friction is not None:
@@ -332,10 +333,6 @@ class ShapeWriter:
         if surface.friction2 not in (None, surface.friction):
             self.losses.lose("second coefficients of friction", surface, field="friction2")
         return material
-
-    def _material_path(self, name: str) -> str:
-        self._stage.DefinePrim(self._folder, "Scope")
-        return self._names.new(self._folder, name)
 
 
 def _bind(prim: Usd.Prim, material: UsdShade.Material, color: Color | None) -> None:

@@ -76,7 +76,18 @@ class Commands:
     async def call(self, tool: Tool, values: Mapping[str, Any]) -> CallToolResult:
         """Return the answer to a call."""
         try:
-            _check_values(tool, values)
+            known = tool.schema["properties"]
+            for name in values:
+                if name not in known:
+                    near = get_close_matches(name, known, 1)
+                    hint = f"did you mean '{near[0]}'?" if near else f"it takes {', '.join(known)}"
+                    raise Refused(f"'{tool.name}' has no parameter '{name}': {hint}")
+            for name in tool.schema["required"]:
+                if name not in values:
+                    raise Refused(f"'{tool.name}' needs '{name}': {known[name]['description']}")
+            for error in Draft202012Validator(tool.schema).iter_errors(dict(values)):
+                name = str(error.path[0]) if error.path else tool.name
+                raise Refused(f"'{name}': {error.message}")
             call = Call(values, self.folder)
             words = tool.words(call)
         except Refused as error:
@@ -128,22 +139,6 @@ def _shortened(text: str) -> str:
     )
 
 
-def _check_values(tool: Tool, values: Mapping[str, Any]) -> None:
-    """Raise Refused for parameters that a tool does not take."""
-    known = tool.schema["properties"]
-    for name in values:
-        if name not in known:
-            near = get_close_matches(name, known, 1)
-            hint = f"did you mean '{near[0]}'?" if near else f"it takes {', '.join(known)}"
-            raise Refused(f"'{tool.name}' has no parameter '{name}': {hint}")
-    for name in tool.schema["required"]:
-        if name not in values:
-            raise Refused(f"'{tool.name}' needs '{name}': {known[name]['description']}")
-    for error in Draft202012Validator(tool.schema).iter_errors(dict(values)):
-        name = str(error.path[0]) if error.path else tool.name
-        raise Refused(f"'{name}': {error.message}")
-
-
 def serve(folder: str, options: list[str], descriptor: int) -> int:
     """Serve the folder on standard input and a descriptor until that is closed."""
     server = make_server(Commands(folder, options))
@@ -155,7 +150,19 @@ def make_server(commands: Commands) -> Server[Any]:
     """Return the server of a folder."""
 
     async def list_tools(context: object, params: object) -> ListToolsResult:
-        return ListToolsResult(tools=[_described(tool) for tool in TOOLS.values()])
+        return ListToolsResult(
+            tools=[
+                ToolDescription(
+                    name=tool.name,
+                    description=tool.about,
+                    input_schema=tool.schema,
+                    annotations=ToolAnnotations(
+                        read_only_hint=not tool.writes, open_world_hint=False
+                    ),
+                )
+                for tool in TOOLS.values()
+            ]
+        )
 
     async def call_tool(context: object, params: Any) -> CallToolResult:
         tool = TOOLS.get(params.name)
@@ -185,15 +192,6 @@ def make_server(commands: Commands) -> Server[Any]:
         on_call_tool=call_tool,
         on_list_resources=list_resources,
         on_read_resource=read_resource,
-    )
-
-
-def _described(tool: Tool) -> ToolDescription:
-    return ToolDescription(
-        name=tool.name,
-        description=tool.about,
-        input_schema=tool.schema,
-        annotations=ToolAnnotations(read_only_hint=not tool.writes, open_world_hint=False),
     )
 
 

@@ -7,6 +7,7 @@ from ...model.compare import POSE, ZEROS, same_words
 from ...model.inertia import MESH_ENDINGS
 from ...model.schema import ELEMENTS, MOMENTS, RECORDS
 from ...model.shapes import COUNTS, SIMPLE_SHAPES
+from ...model.shapes import SIZES as ALL_SIZES
 from ...model.values import values_of
 from ...robot.fields import HOMES, PLACES
 from ...robot.notes import JOINT_WORDS, LINK_WORDS
@@ -27,8 +28,6 @@ if TYPE_CHECKING:
 
 
 SIZES = {kind: shape.attributes for kind, shape in SIMPLE_SHAPES.items() if shape.since == "1.0"}
-ALL_SIZES = {kind: shape.attributes for kind, shape in SIMPLE_SHAPES.items()}
-"""Those of URDF 1.1 as well."""
 
 
 class NoPart(Exception):

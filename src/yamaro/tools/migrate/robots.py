@@ -13,7 +13,7 @@ from ...codes import ADJUSTABLE
 from ...diagnostics import ERROR, YamaroError
 from ...files.loader import FileLoader
 from ...model.compare import compare, is_used, prefixes_in
-from ...model.shapes import SIMPLE_SHAPES
+from ...model.shapes import SIMPLE_SHAPES, SIZES
 from ...model.values import values_of
 from ...options import Options
 from ...pipeline import Run
@@ -33,7 +33,7 @@ from .elements import (
 from .formulas import Degrees
 from .limbs import share_limbs
 from .notes import Notes
-from .parts import ALL_SIZES, LinkPlan, NoPart, PartWriter, ShortNames, is_word
+from .parts import LinkPlan, NoPart, PartWriter, ShortNames, is_word
 from .shared import share_entries
 from .spelling import NO_LIMIT, TOLERANCE, copied, in_language, move_files, place_comments
 from .urdf import Migration, ModelWriter, Variables, different_parts, ignore
@@ -435,7 +435,7 @@ class RobotParts(PartWriter):
             self._has_form,
             self._is_solid,
             exact=self._exact,
-            sizes=ALL_SIZES,
+            sizes=SIZES,
         )
 
     def _inertial(self, inertial: Element, plan: LinkPlan) -> Entry:

@@ -182,7 +182,14 @@ def _function(
     comments: dict[str, list[str]],
 ) -> Entry:
     """Return a function for some atoms, and let those that have them call it."""
-    of_class = _class(members)
+    # The innermost class that most have in common, or "".
+    paths = [member.path for member in members if member.path]
+    of_class = ""
+    if paths and 2 * len(paths) > len(members):
+        depth = 0
+        while all(len(path) > depth and path[depth] == paths[0][depth] for path in paths):
+            of_class = paths[0][depth]
+            depth += 1
     name, number = _name(kind, members, of_class), 2
     unique = name
     while unique in taken:
@@ -253,18 +260,6 @@ def _call(kind: str, body: Body, name: str, atoms: set[Atom], varying: Sequence[
     if kind != "joint":
         body.width = RECORD_WIDTH
         body.has_call = True
-
-
-def _class(members: Sequence[_Holder]) -> str:
-    """Return the innermost class that most have in common, or ""."""
-    paths = [member.path for member in members if member.path]
-    common = ""
-    if paths and 2 * len(paths) > len(members):
-        depth = 0
-        while all(len(path) > depth and path[depth] == paths[0][depth] for path in paths):
-            common = paths[0][depth]
-            depth += 1
-    return common
 
 
 def _name(kind: str, members: Sequence[_Holder], of_class: str) -> str:

@@ -221,26 +221,24 @@ class Expectations:
             else:
                 is_met = bool(value)
         except YamaroError as error:
-            return self._with_hints(without_trust(error.diagnostics))
+            diagnostics = without_trust(error.diagnostics)
+            for diagnostic in diagnostics:
+                unknown = re.match("there is no key '([^']*)'", diagnostic.message)
+                if diagnostic.message.startswith("'Pose' object is not subscriptable"):
+                    diagnostic.hint = "write .position[2], or .z"
+                elif unknown is not None and self._robot is not None:
+                    robot = self._robot
+                    names = [*robot.joints, *robot.links, *robot.states, *robot.sensors]
+                    near = suggest(unknown[1], names)
+                    near = near or next((name for name in names if unknown[1] in name), None)
+                    diagnostic.hint = f"did you mean '{near}'?" if near is not None else None
+            return diagnostics
         if is_met:
             return []
         notes = list(self._values(python))
         return failure(
             "expectation-failed", "this expectation is not met", python.span(), notes=notes
         ).diagnostics
-
-    def _with_hints(self, diagnostics: list[Diagnostic]) -> list[Diagnostic]:
-        for diagnostic in diagnostics:
-            unknown = re.match("there is no key '([^']*)'", diagnostic.message)
-            if diagnostic.message.startswith("'Pose' object is not subscriptable"):
-                diagnostic.hint = "write .position[2], or .z"
-            elif unknown is not None and self._robot is not None:
-                robot = self._robot
-                names = [*robot.joints, *robot.links, *robot.states, *robot.sensors]
-                near = suggest(unknown[1], names)
-                near = near or next((name for name in names if unknown[1] in name), None)
-                diagnostic.hint = f"did you mean '{near}'?" if near is not None else None
-        return diagnostics
 
     def _values(self, python: PythonCode) -> Iterator[str]:
         """Yield the values of what the expression is made of: `robot.mass = 7.2`."""

@@ -133,7 +133,23 @@ class Runner:
         except YamaroError as error:
             if case.errors is None:
                 raise
-            return _unexpected(case.errors, _at_home(error.diagnostics, case))
+            # What is missing of the errors that were expected, and then those there are.
+            found = _at_home(error.diagnostics, case)
+            errors = [diagnostic for diagnostic in found if diagnostic.severity == ERROR]
+            missing = []
+            for each in case.errors:
+                same = [error for error in errors if error.code == each.code]
+                if not same:
+                    codes = ", ".join(dict.fromkeys(error.code for error in errors))
+                    missing.append(_missing(each, f"has other errors: {codes}"))
+                elif each.at and not any(is_at(error, each.at) for error in same):
+                    places = ", ".join(dict.fromkeys(error.span.place() for error in same))
+                    missing.append(_missing(each, f"has it elsewhere: {places}"))
+                elif each.message and not any(each.message in error.message for error in same):
+                    missing.append(
+                        _missing(each, f"has it with another message: {same[0].message}")
+                    )
+            return [*missing, *errors] if missing else []
         except SystemExit as error:
             message = f"Python code of the robot ended the program: {error!r}"
             raise failure("python-error", message, file.robot[1]) from None
@@ -193,23 +209,6 @@ def _ignore(message: str) -> None:
 
 
 # --- errors and warnings ---
-
-
-def _unexpected(expected: list[ExpectedError], found: list[Diagnostic]) -> list[Diagnostic]:
-    """Return what is missing of the errors that were expected, and then those there are."""
-    errors = [diagnostic for diagnostic in found if diagnostic.severity == ERROR]
-    missing = []
-    for each in expected:
-        same = [error for error in errors if error.code == each.code]
-        if not same:
-            codes = ", ".join(dict.fromkeys(error.code for error in errors))
-            missing.append(_missing(each, f"has other errors: {codes}"))
-        elif each.at and not any(is_at(error, each.at) for error in same):
-            places = ", ".join(dict.fromkeys(error.span.place() for error in same))
-            missing.append(_missing(each, f"has it elsewhere: {places}"))
-        elif each.message and not any(each.message in error.message for error in same):
-            missing.append(_missing(each, f"has it with another message: {same[0].message}"))
-    return [*missing, *errors] if missing else []
 
 
 def _missing(expected: ExpectedError, why: str) -> Diagnostic:

@@ -296,23 +296,22 @@ class IncludedVariables:
                     and reading.span.start == declared.span.start
                 ]
                 if readings:
-                    rows.append(self._row(declared, readings, places))
+                    given = {
+                        id(each.given): each.given for each in readings if each.given is not None
+                    }
+                    follows = {self._followed(span) for span in given.values()}
+                    follow = follows.pop() if len(follows) == 1 else None
+                    row: Json = {
+                        "name": declared.name,
+                        "values": list(dict.fromkeys(reading.value for reading in readings)),
+                        "why": self._why_fixed(declared, list(given.values())),
+                        "place": places.number(declared.span),
+                        "text": declared.span.place(),
+                    }
+                    rows.append(row if follow is None else {**row, "follows": follow})
             if rows:
                 found.append({"file": _shown(path, self._main), "variables": rows})
         return found
-
-    def _row(self, declared: Declared, readings: list[Reading], places: Places) -> Json:
-        given = {id(each.given): each.given for each in readings if each.given is not None}
-        follows = {self._followed(span) for span in given.values()}
-        follow = follows.pop() if len(follows) == 1 else None
-        row: Json = {
-            "name": declared.name,
-            "values": list(dict.fromkeys(reading.value for reading in readings)),
-            "why": self._why_fixed(declared, list(given.values())),
-            "place": places.number(declared.span),
-            "text": declared.span.place(),
-        }
-        return row if follow is None else {**row, "follows": follow}
 
     def _why_fixed(self, declared: Declared, given: list[Span]) -> str:
         """Return why a build cannot be given a value of a variable."""

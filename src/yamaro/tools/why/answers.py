@@ -495,7 +495,17 @@ def _found(answer: Answer, root: Element, names: list[str]) -> Found:
     for element in reversed(answer.path[1:-1] or answer.path[-1:]):
         homes = homes or _own(_made_of(paths, element), owner)
     if answer.element.name == "origin":
-        poses = _poses(homes, names)
+        # The poses of what an origin is in: elements, or attributes of a body.
+        poses: Found = []
+        for path, _ in homes:
+            # The origin of a joint is the pose of the body that the joint moves.
+            around = path[:-1] if path[-1].name == "joint" and path[-2].name == "body" else path
+            for name in dict.fromkeys(names):
+                poses += [
+                    ([*path, each], None) for each in path[-1].elements() if each.name == name
+                ]
+                if name in around[-1].attributes:
+                    poses.append((around, name))
         if poses:
             return poses
     exact: Found = []
@@ -515,19 +525,6 @@ def _found(answer: Answer, root: Element, names: list[str]) -> Found:
     for word in (*names, answer.attribute, answer.element.name):
         named = named or [(path, None) for path in inner if path[-1].name == word]
     return named or _own(_made_of(paths, answer.element), owner) or homes[:1]
-
-
-def _poses(homes: Found, names: list[str]) -> Found:
-    """Return the poses of what an origin is in: elements, or attributes of a body."""
-    found: Found = []
-    for path, _ in homes:
-        # The origin of a joint is the pose of the body that the joint moves.
-        around = path[:-1] if path[-1].name == "joint" and path[-2].name == "body" else path
-        for name in dict.fromkeys(names):
-            found += [([*path, each], None) for each in path[-1].elements() if each.name == name]
-            if name in around[-1].attributes:
-                found.append((around, name))
-    return found
 
 
 def _is_in(path: Path, homes: Found) -> bool:

@@ -127,7 +127,7 @@ class Choices:
             elif aliases & self._conditions:
                 is_number = isinstance(guess_value(value), (int, float))
                 others |= dict.fromkeys(("0", "1") if is_number else ("true", "false"))
-            for alias in aliases:
+            for alias in sorted(aliases):
                 others |= self._compared.get(alias, {})
                 others |= dict.fromkeys(by_files.get(alias, ()))
             others.pop(value, None)
@@ -161,7 +161,7 @@ class Choices:
                 changed = {
                     argument: value
                     for name, value in bound
-                    for argument in arguments.get(name, ())
+                    for argument in sorted(arguments.get(name, ()))
                     if values[argument] != value
                 }
                 is_known = all(name in arguments for name, _ in bound)
@@ -169,7 +169,7 @@ class Choices:
                     found.append(changed)
         return found[:MOST_PAIRS]
 
-    def _named_by_files(self, values: Mapping[str, str]) -> dict[str, set[str]]:
+    def _named_by_files(self, values: Mapping[str, str]) -> dict[str, list[str]]:
         """Return what names may be so that the files are there whose names are made of them."""
         found: dict[str, set[str]] = {}
         for text, span in [pair for own in self._file_names for pair in self._with_given(*own)]:
@@ -183,7 +183,7 @@ class Choices:
                     )
                     if len(own) == 1 and is_as_now:
                         found.setdefault(name, set()).update(own)
-        return {name: set(sorted(own)[:MOST_FILES]) for name, own in found.items()}
+        return {name: sorted(own)[:MOST_FILES] for name, own in found.items()}
 
     def _with_given(
         self, text: str, span: Span, known: frozenset[str] = frozenset()

@@ -55,7 +55,23 @@ class Contents:
                 inside = {each.name for macro in macros for each in macro.element.elements()}
                 if name not in self._calls and inside and inside <= _OF_PARTS:
                     self._put_macro_in_part(name)
-        self._setters = self._find_setters()
+
+        # What calls of macros set that is read outside of them, by the macros' names.
+        # What a macro sets for its caller is the caller's own; what is global goes on.
+        def callers_of(name: str) -> list[str]:
+            return [around.name for _, around in self._calls.get(name, ()) if around]
+
+        found: dict[str, set[str]] = {}
+        for name, macros in self._macros.items():
+            assigned = set().union(*(assigned_in(macro.element) for macro in macros))
+            if assigned:
+                found.setdefault(name, set()).update(assigned)
+            own = set().union(*(assigned_in(macro.element, "global") for macro in macros))
+            if own:
+                # add global names to all that may call a macro
+                for caller in reached_from([name], callers_of):
+                    found.setdefault(caller, set()).update(own)
+        self._setters = found
 
     def _gather(self, root: Element, around: Macro | None, known: dict[int, Macro]) -> None:
         for element in root.elements():
@@ -153,27 +169,6 @@ class Contents:
             else:
                 raise UnknownContent
             found.append((call, nodes, around))
-        return found
-
-    def _find_setters(self) -> dict[str, set[str]]:
-        """Return what calls of macros set that is read outside of them, by the macros' names.
-
-        What a macro sets for its caller is the caller's own; what is global goes on.
-        """
-
-        def callers_of(name: str) -> list[str]:
-            return [around.name for _, around in self._calls.get(name, ()) if around]
-
-        found: dict[str, set[str]] = {}
-        for name, macros in self._macros.items():
-            assigned = set().union(*(assigned_in(macro.element) for macro in macros))
-            if assigned:
-                found.setdefault(name, set()).update(assigned)
-            own = set().union(*(assigned_in(macro.element, "global") for macro in macros))
-            if own:
-                # add global names to all that may call a macro
-                for caller in reached_from([name], callers_of):
-                    found.setdefault(caller, set()).update(own)
         return found
 
     def sets_variables(self, node: Element) -> bool:
