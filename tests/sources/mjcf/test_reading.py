@@ -247,6 +247,15 @@ BODY = '<mujoco><worldbody><body name="b">{}</body></worldbody>{}</mujoco>'
     ("inner", "after", "message"),
     [
         ('<geom size="x"/>', "", "'size' takes numbers, and 'x' is not one"),
+        ('<geom size="1" solref="0.1 b"/>', "", "'solref' takes numbers, and 'b' is not one"),
+        ('<geom size="1"/><joint stiffness="x"/>', "", "'stiffness' takes numbers"),
+        ('<geom size="1"/><joint springref="x"/>', "", "'springref' takes numbers"),
+        (
+            '<geom size="1"/><joint name="j" armature="x"/>',
+            '<actuator><motor joint="j"/></actuator>',
+            "'armature' takes numbers, and 'x' is not one",
+        ),
+        ('<geom size="1"/><joint ref="1 2"/>', "", "'ref' takes 1 number, not 2"),
         ('<geom size="1e200"/>', "", "too large"),
         ('<geom size="1" type="bax"/>', "", "'bax' is none of them"),
         ('<geom type="mesh" mesh="m"/>', "", "there is no mesh 'm'"),

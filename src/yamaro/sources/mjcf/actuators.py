@@ -280,7 +280,7 @@ class Drives:
             found.append(element)
         return found
 
-    def notes(self, builder: Builder, armatures: Mapping[str, tuple[str, Span]]) -> None:
+    def notes(self, builder: Builder, armatures: Mapping[str, tuple[float, Span]]) -> None:
         """Add the actuators that the model has, in the order of the document."""
         for thing, drive in self.all:
             if drive is None or not drive.is_noted or drive.law is None:
@@ -302,8 +302,7 @@ class Drives:
                 written = "kv" if name == "kd" else "kp"
                 places[name] = thing.where(written)
             if drive.joint in armatures:
-                text, span = armatures[drive.joint]
-                values["armature"], places["armature"] = float(text), span
+                values["armature"], places["armature"] = armatures[drive.joint]
             delay = number(thing.given, "delay", 0.0)
             if delay > 0:
                 values["delay"], places["delay"] = delay, thing.where("delay")

@@ -124,7 +124,7 @@ class Builder:
             self.drives.name_all()  # by which the keyframes say their controls
         driven = {name for name in kinds if self.drives.noted(name) is not None}
         self.mimics, self.equalities = read_mimics(contexts, kinds, refs, driven)
-        self.armatures: dict[str, tuple[str, Span]] = {}
+        self.armatures: dict[str, tuple[float, Span]] = {}
         self.limits: dict[str, tuple[float, float]] = {}
         self.joint_names: dict[int, str] = {}
         self.sites: dict[str, tuple[str, str]] = {}

@@ -185,6 +185,8 @@ def _check(root: Element, around: str, errors: list[YamaroError]) -> None:
                 for name in element.attributes
                 if name not in known and ":" not in name
             ]
+        for name in NUMERIC & element.attributes.keys():
+            _refuse_words(element, name, errors)
         below = []
         for child in element.elements():
             if attributes_of(element.name, child.name) is None:
@@ -192,6 +194,29 @@ def _check(root: Element, around: str, errors: list[YamaroError]) -> None:
             else:
                 below.append((child, element.name))
         pending += reversed(below)
+
+
+NUMERIC = frozenset(
+    "act armature biasprm conaffinity condim contype ctrl cutoff dynprm fluidcoef force gainprm "
+    "gap group margin mpos mquat noise polycoef priority qpos qvel range relpose rgba size solimp "
+    "solimpfriction solimplimit solmix solref solreffriction solreflimit springdamper "
+    "springlength springref springyield stiffness torquescale user width".split()
+)
+"""Attributes that hold numbers wherever they are, and are often passed on as they are written."""
+
+
+def _refuse_words(element: Element, name: str, errors: list[YamaroError]) -> None:
+    """Note a word in an attribute that holds numbers."""
+    for word in (text(element, name) or "").split():
+        try:
+            float(word)
+        except ValueError:
+            says, span = (
+                f"'{name}' takes numbers, and '{word}' is not one",
+                element.value_span(name),
+            )
+            errors.append(failure("bad-mjcf", says, span, hint=f'write {name}="0.1"'))
+            return
 
 
 def _unknown_element(element: Element, around: str) -> YamaroError:

@@ -11,7 +11,7 @@ from ...model.joint import CONTINUOUS, FLOATING, PRISMATIC, REVOLUTE
 from ...model.making import Place, element
 from ...model.pose import IDENTITY, UNTURNED, ZERO, Pose, rotate, rotation_about
 from .blocks import block, in_radians, kept, row, setting
-from .compiler import chosen, fault, numbers, unit_axis, vector
+from .compiler import chosen, fault, number, numbers, unit_axis, vector
 from .tree import type_of
 
 TYPE_CHECKING = False
@@ -168,9 +168,9 @@ def _add(
     dynamics = _dynamics(thing, extras)
     for key, (value, span) in given.items():
         if key in ("ref", "springref", "springyield"):
-            extras.append(setting(key, row(map(angle, map(float, value.split()))), span))
+            extras.append(setting(key, row(map(angle, numbers(given, key) or ())), span))
         elif key == "armature" and builder.drives.noted(name) is not None:
-            builder.armatures[name] = (value, span)
+            builder.armatures[name] = (number(given, key, 0.0), span)
         elif key not in HELD and key not in _ELSEWHERE:
             extras.append(setting(key, value, span))
     place = Place(thing.span, {"name": thing.name_span})
