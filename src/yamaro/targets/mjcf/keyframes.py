@@ -69,15 +69,19 @@ class Rows:
             self._add("act", own, (0.0,) * _states(each))
 
     def _add_body(self, body: Element) -> None:
-        place = numbers_of(body, "pos") or (0.0, 0.0, 0.0)
-        turn = numbers_of(body, "quat") or UNTURNED_ROW
         name = attribute_text(body, "name")
-        for joint in body.elements():
-            if joint.name not in JOINTS:
-                continue
-            self.joints.append(joint)
-            is_free = joint.name == "freejoint"
-            kind = "free" if is_free else attribute_text(joint, "type")
+        joints = [each for each in body.elements() if each.name in JOINTS]
+        kinds = [
+            "free" if each.name == "freejoint" else attribute_text(each, "type") for each in joints
+        ]
+        is_mocap = attribute_text(body, "mocap") == "true"
+        place: tuple[float, ...] = (0.0, 0.0, 0.0)
+        turn: tuple[float, ...] = UNTURNED_ROW
+        if is_mocap or "free" in kinds:
+            place = numbers_of(body, "pos") or place
+            turn = numbers_of(body, "quat") or turn
+        self.joints += joints
+        for joint, kind in zip(joints, kinds, strict=True):
             known = [("joint", attribute_text(joint, "name"))]
             if kind == "free":
                 known.append(("body", name))
@@ -90,7 +94,7 @@ class Rows:
             else:
                 self._add("qpos", known, numbers_of(joint, "ref") or (0.0,))
                 self._add("qvel", known, (0.0,))
-        if attribute_text(body, "mocap") == "true":
+        if is_mocap:
             self._add("mpos", [("body", name)], place)
             self._add("mquat", [("body", name)], turn)
 
