@@ -85,6 +85,42 @@ def test_the_arrays_are_those_of_each_variant_compiled_by_itself() -> None:
             np.testing.assert_allclose(found, expected, rtol=0, atol=1e-12, err_msg=name)
 
 
+@pytest.mark.parametrize("axis", ["shift=0,0.1,0.2", "shift=0.1,0,-0.1", "size=0.02..0.5"])
+def test_where_shapes_are_is_not_the_model_itself(axis: str) -> None:
+    """At an offset of 0, MuJoCo takes shortcuts; and shapes in other places make other trees."""
+    mujoco = require_module("mujoco")
+    box = "{geometry: box, size: 0.1 0.1 0.1"
+    Path("robot.yaml").write_text(
+        "robot: boxes\narguments: {shift: {default: 0.1}, size: {default: 0.1}}\nmodel:\n"
+        f"- part: {{name: a, link: {{geometry: sphere, radius: 1, mass: 1}}}}\n"
+        "- part:\n    name: b\n    joint: {type: continuous, parent: a, axis: z}\n    link:\n"
+        f"    - {box}, mass: 1, pivot: $(shift) 0 0, visual: , collision: }}\n"
+        f"    - visual: {box}, xyz: $(shift) 0.2 0}}\n"
+        f"    - collision: {box}, xyz: 0 $(size) 0}}\n"
+        f"    - collision: {{geometry: sphere, radius: $(size), xyz: 0.1 $(shift) 0}}\n"
+    )
+    name, _, values = axis.partition("=")
+    samples = ["--samples", "30"] if ".." in values else []
+    assert (
+        main(["sweep", "robot.yaml", axis, *samples, "--engine", "local:1", "--batch", "b.npz"])
+        == 0
+    )
+    batch = np.load("b.npz")
+    for row in range(0, len(batch["id"]), 4 if samples else 1):
+        given = {name: float(batch[f"arguments/{name}"][row])}
+        alone = mujoco.MjModel.from_xml_string(
+            yamaro.build("robot.yaml", target="mjcf", variables=given).xml()
+        )
+        found = mujoco.MjModel.from_xml_path("b.xml")
+        for each in set(batch.files) & set(dir(found)):
+            getattr(found, each)[:] = batch[each][row]
+        for each in ("geom_pos", "geom_size", "geom_aabb", "body_inertia", "dof_M0"):
+            np.testing.assert_allclose(getattr(found, each), getattr(alone, each), atol=1e-12)
+        boxes = found.bvh_aabb.copy()
+        mujoco.mj_setConst(found, mujoco.MjData(found))  # which fits the boxes of the same tree
+        np.testing.assert_allclose(found.bvh_aabb, boxes, atol=1e-12)
+
+
 @pytest.mark.parametrize(
     ("axis", "field", "line"), [("legs=2,3", "names", 7), ("shape=box,sphere", "geom_type", 8)]
 )

@@ -95,6 +95,36 @@ XACRO = """\
   <xacro:leg name="right" y="${-l}"/>
 </robot>
 """
+HARD = """\
+robot: hard
+arguments:
+  length: {default: 0.3}
+  yaw: {default: 10 deg, unit: deg}
+  load: {default: 2}
+  reach: {default: 0.7}
+variables:
+  most: $(min(max(reach, 0.4), 1.0))
+model:
+- part: {name: base, link: {geometry: cylinder, radius: $(length), length: 0.1, mass: $(load)}}
+- for i in range(3):
+  - part:
+      name: leg$(i)
+      joint:
+      - {type: revolute, parent: base, axis: y, rpy: "0 0 $(2 * pi * i / 3 + yaw)"}
+      - {xyz: $(length * cos(2 * pi * i / 3 + reach)) $(length * sin(2 * pi * i / 3 + reach)) 0}
+      - limit: {lower: $(-most), upper: $(most if load > 2 else most / 2), effort: 9, velocity: 3}
+      - actuator: {command: position, kp: $(10 * load), kd: 1}
+      link:
+      - {geometry: box, size: 0.05 0.05 $(length), pivot: 0 0 $(length / 2), collision: }
+      - inertial:
+          mass: $(load)
+          xyz: 0 0 $(-length / 2)
+          inertia: 0.01 $(0.001 * (load - 2)) 0 0.012 0 0.013
+  - part:
+      name: foot$(i)
+      joint: {type: fixed, parent: leg$(i), xyz: 0 0 $(-length), rpy: $(yaw) 0 0}
+      link: {geometry: sphere, radius: $(0.02 if reach < 0.7 else 0.03), mass: 0.1, collision: }
+"""
 RANGES: dict[str, dict[str, tuple[float, float]]] = {
     "robot.yaml": {
         "length": (100, 500), "load": (1, 4), "cross": (0, 0.002), "tilt": (-20, 20),
@@ -236,3 +266,27 @@ def test_warnings_and_errors_of_some_variants_are_reported_with_their_arguments(
     assert "9 × angle-too-large at corner.yaml:7:42\n      such as 18 (load:=6.4)" in message
     found, built = arrays("corner.yaml", ["load"])
     np.testing.assert_array_equal(found, built)
+
+
+def test_variants_with_other_outcomes_are_replayed_apart(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """Loops with places that depend on numbers, conditions, limits that are met, moments, turns."""
+    Path("hard.yaml").write_text(HARD)
+    mujoco = require_module("mujoco")
+    axes = {"length": (0.1, 0.5), "yaw": (-90, 90), "load": (0.5, 4), "reach": (0.2, 1.4)}
+    words = [f"{name}={low}..{high}" for name, (low, high) in axes.items()]
+    assert run("hard.yaml", *words, "--samples", "200") == 0
+    assert "one by one" not in capsys.readouterr().err
+    batch = np.load("out.npz")
+    one = mujoco.MjModel.from_xml_path("out.xml")
+    for row in range(3, 200, 20):
+        given = {name: float(batch[f"arguments/{name}"][row]) for name in axes}
+        build = yamaro.build("hard.yaml", target="mjcf", variables=given)
+        alone = mujoco.MjModel.from_xml_string(build.xml())
+        for name in dir(alone):
+            value = getattr(alone, name)
+            if name[0] != "_" and isinstance(value, np.ndarray):
+                found = batch[name][row] if name in batch.files else getattr(one, name)
+                np.testing.assert_allclose(found, value, rtol=0, atol=1e-12, err_msg=name)
+        assert abs(batch["stat.extent"][row] - alone.stat.extent) < 1e-12

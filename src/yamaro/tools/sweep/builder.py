@@ -207,12 +207,12 @@ class Builder:
         if document is None or self._comparison.first is None:
             return False
         try:
-            words = self._comparison.note(row, document)
+            model = self._comparison.note(row, document)
         except ValueError:  # the build says where
             return False
         if document.is_to_check:
             is_same = self._text(row.arguments) == document.text
-            row.is_unequal = not (is_same and self._comparison.is_model(words, document))
+            row.is_unequal = not (is_same and self._comparison.is_model(model, document))
         row.warnings = document.warnings
         return True
 

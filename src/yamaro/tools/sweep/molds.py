@@ -40,6 +40,9 @@ RANGE = "range"
 MENDED = ("balanceinertia", "boundinertia", "boundmass", "settotalmass")
 """What a compiler may be asked to do with masses that another document has."""
 
+ROUNDING = 1e-14
+"""How much a quaternion's length may differ from 1 without being changed."""
+
 Holes = dict[tuple[type, float], tuple[int, float]]
 """Which number of a document, and with which sign, a value is, by its type."""
 Turn = tuple[Any, Any, Any, Any]
@@ -273,7 +276,8 @@ class Cast:
 def _unit(quaternion: Any) -> Any:
     """Return a quaternion of length 1, with the digits that MuJoCo's compiler gives it."""
     w, x, y, z = quaternion.tolist()
-    return quaternion / math.sqrt(w * w + x * x + y * y + z * z)
+    length = math.sqrt(w * w + x * x + y * y + z * z)
+    return quaternion / length if abs(length - 1) > ROUNDING else quaternion
 
 
 def saved(model: Any) -> Any:
