@@ -149,7 +149,7 @@ class Tape:
         if kind in OBJECTS:
             found = self._operands.get(id(value))
             if found is None:
-                names = [name for name in kind.__slots__ if hasattr(value, name)]
+                names = _attributes(value)
                 parts = [self.operand(getattr(value, name)) for name in names]
                 found = self._operands[id(value)] = self._part(kind, parts, names), value
             return found[0]
@@ -180,7 +180,7 @@ class Tape:
         if kind in (tuple, list):
             return kind(map(self.concrete, value))
         if kind in OBJECTS:
-            names = [name for name in kind.__slots__ if hasattr(value, name)]
+            names = _attributes(value)
             parts = [self.concrete(getattr(value, name)) for name in names]
             return made_again(kind, names, parts)
         return value
@@ -247,6 +247,13 @@ class Tape:
 def _identity(operand: Operand) -> object:
     """Return what is another one for other operands."""
     return operand if type(operand) is int else (id(operand),)
+
+
+def _attributes(value: object) -> list[str]:
+    """Return the attributes that an object has, except for the element that it was read from."""
+    slots = (getattr(kind, "__slots__", ()) for kind in type(value).__mro__)
+    names = (name for each in slots for name in each if name != "element")
+    return [name for name in names if hasattr(value, name)]
 
 
 def made_again(kind: type, names: Sequence[str], parts: Sequence[Any]) -> Any:
@@ -413,7 +420,7 @@ def is_recorded(value: Any) -> bool:
     if kind in (tuple, list):
         return any(map(is_recorded, value))
     if kind in OBJECTS:
-        return any(is_recorded(getattr(value, name, None)) for name in kind.__slots__)
+        return any(is_recorded(getattr(value, name)) for name in _attributes(value))
     return False
 
 
