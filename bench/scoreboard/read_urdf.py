@@ -103,7 +103,10 @@ def _text(facts: Facts, robot: Any) -> None:
             numbers = float(mimic.get("multiplier", 1)), float(mimic.get("offset", 0))
             facts.mimics[plain(joint.get("name"))] = (plain(mimic.get("joint")), *numbers)
     for joint in robot.iterfind("transmission/joint"):
-        facts.drives[plain(joint.get("name"))] = None
+        ways = [(each.text or "").strip() for each in joint.iterfind("hardwareInterface")]
+        # One with the interface of states alone can only be read.
+        if not ways or not all(way.endswith("JointStateInterface") for way in ways):
+            facts.drives[plain(joint.get("name"))] = None
     for joint in robot.iterfind("ros2_control/joint"):
         if joint.find("command_interface") is not None:
             facts.drives[plain(joint.get("name"))] = None
