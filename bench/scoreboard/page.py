@@ -57,9 +57,7 @@ def listed(rows: Sequence[Row]) -> str:
     """Return all rows as CSV: of each robot and tool, what is kept of how much."""
     file = io.StringIO()
     out = csv.writer(file, lineterminator="\n")
-    out.writerow(
-        ("robot", "source", "tool", "version", "to", *COLUMNS, "lost", "message", "command")
-    )
+    out.writerow(("robot", "source", "tool", "version", "to", *COLUMNS, "message", "command"))
     for robot, tool, route, shares, message in rows:
         given = " ".join(f"{name}:={value}" for name, value in robot.arguments.items())
         out.writerow(
@@ -69,9 +67,8 @@ def listed(rows: Sequence[Row]) -> str:
                 tool.name,
                 tool.version,
                 route.makes,
-                *(f"{shares[each].kept}/{shares[each].of}" if each in shares else ""
+                *(f"{shares[each].kept} of {shares[each].of}" if each in shares else ""
                   for each in COLUMNS),
-                "; ".join(f"{name}: {each.lost}" for name, each in shares.items() if each.lost),
                 message,
                 route.command.format_map(_Shown()),
             )

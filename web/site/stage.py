@@ -58,7 +58,7 @@ def main(target: Path) -> None:
     target.mkdir(parents=True)
     shutil.copytree(DOCS / "pictures", target / "pictures")
     for page in DOCS.iterdir():
-        if page.suffix in (".gif", ".png", ".svg", ".json"):
+        if page.suffix in (".gif", ".png", ".svg", ".json", ".csv"):
             shutil.copy(page, target / page.name)
     stage = Stage(target)
     menu = (ROOT / "mkdocs.yml").read_text(encoding="utf-8")
