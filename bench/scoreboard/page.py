@@ -47,7 +47,7 @@ def written(rows: Sequence[Row]) -> str:
         robots=len(robots),
         tables="\n".join(tables),
         better="\n".join(better) or "Nowhere, in these columns.",
-        versions=_versions(),
+        notes=_notes(),
         not_tried="\n".join(f"- {name}: {why}" for name, why in NOT_TRIED.items()),
         names=_names(robots),
     )
@@ -57,12 +57,27 @@ def listed(rows: Sequence[Row]) -> str:
     """Return all rows as CSV: of each robot and tool, what is kept of how much."""
     file = io.StringIO()
     out = csv.writer(file, lineterminator="\n")
-    out.writerow(("robot", "source", "tool", "version", "to", *COLUMNS, "message", "command"))
+    out.writerow(
+        (
+            "robot",
+            "kind",
+            "license",
+            "source",
+            "tool",
+            "version",
+            "to",
+            *COLUMNS,
+            "message",
+            "command",
+        )
+    )
     for robot, tool, route, shares, message in rows:
         given = " ".join(f"{name}:={value}" for name, value in robot.arguments.items())
         out.writerow(
             (
                 robot.name,
+                robot.kind,
+                robot.licence,
                 f"{_origin(robot)} {robot.path} {given}".strip(),
                 tool.name,
                 tool.version,
@@ -147,12 +162,13 @@ def _better(name: str, rows: Sequence[Row]) -> list[str]:
     return lines
 
 
-def _versions() -> str:
+def _notes() -> str:
+    """Return what is to be said of a tool, with links to those that have a page."""
     lines = []
     for tool in TOOLS:
         link = f"[{tool.name}]({tool.url})" if tool.url else tool.name
-        lines.append([link, tool.version or "this version", tool.note])
-    return _table(["tool", "version", ""], lines, left=3)
+        lines.append(f"- {link} {tool.version}".rstrip() + (f": {tool.note}" if tool.note else ""))
+    return "\n".join(lines)
 
 
 class _Shown(dict[str, str]):
@@ -170,13 +186,9 @@ def _origin(robot: Robot) -> str:
 
 
 def _names(robots: Sequence[Robot]) -> str:
-    """Return the robots with links, by the format that their authors write."""
-    lines = []
-    for format in dict.fromkeys(robot.format for robot in robots):
-        links = ", ".join(
-            f"[{each.name}]({_origin(each)}) ({each.kind}, {each.licence})"
-            for each in robots
-            if each.format == format
-        )
-        lines.append(f"- {TITLES.get(format, format)}: {links}")
-    return "\n".join(lines)
+    """Return the robots by the format that their authors write."""
+    return "; ".join(
+        f"in {TITLES.get(format, format)} "
+        + ", ".join(robot.name for robot in robots if robot.format == format)
+        for format in dict.fromkeys(robot.format for robot in robots)
+    )
