@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from math import inf, isfinite, isnan, nan, radians
+from math import hypot, inf, isfinite, isnan, nan, radians
 
 from ...diagnostics import ERROR, WARNING, Diagnostic, Frame, YamaroError, did_you_mean
 from ...model.making import Place
@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 
 UNLIMITED = 1e16
 """From this number on SDFormat takes a limit for none. Source: joint.sdf."""
+ROUNDED = 1e-3
+"""How far the length of a quaternion may be off 1 that was rounded."""
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 TRUTHS = {"true": True, "1": True, "false": False, "0": False}
 
@@ -205,6 +207,14 @@ class Reading:
         if is_quaternion:
             if not any(row[3:]):
                 return Pose(position=position)
+            length = hypot(*row[3:])
+            if abs(length - 1) > ROUNDED:
+                self.warn(
+                    "sdf-assumed",
+                    f"this quaternion has a length of {length:.3g}; it is made one of length 1",
+                    text_span(element),
+                    hint="write x y z w of length 1: libsdformat takes them as they are",
+                )
             return Pose(rotation_from_quaternion(*row[3:]), position)
         roll, pitch, yaw = row[3:]
         if (attribute_text(element, "degrees") or "").lower() in ("true", "1"):
