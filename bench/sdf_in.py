@@ -111,7 +111,9 @@ def judged(
                 print(f"    {path}: {why}")
     if wants_urdf and not unread:
         urdf = written.with_suffix(".urdf")
-        urdf.write_text(yamaro.build(path, meshes="none", on_message=lambda _: None).xml())
+        made = yamaro.build(path, target="urdf", meshes="none", on_message=lambda _: None)
+        urdf.write_text(made.xml())
+        reported += [f"{each.code}: {each.message}" for each in made.warnings]
         drake = Loaded(path, model, [path.parent, path.parent.parent], has_shapes=False)
         faults += faults_of_urdf(drake, urdf, states)
     faults += lost_texts(path, written, model)

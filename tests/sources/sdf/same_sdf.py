@@ -507,6 +507,9 @@ def faults_of_urdf(drake: Loaded, urdf: Path, states: int = 20) -> list[str]:
     for name, joint in drake.joints.items():
         if joint.num_velocities() == 1:
             found = name if name in known else joint.name()
+            alike = [each for each in known if each.endswith(f"_{joint.name()}")]
+            if found not in known and len(alike) == 1:  # Drake has it in the model of its child
+                (found,) = alike
             if found not in known:
                 return [f"no joint '{name}'"]
             joints[found] = joint
