@@ -395,6 +395,8 @@ def test_json_is_the_same_however_far_the_file_is_trusted(
         ("base", "there is no link or joint 'base'; did you mean 'base_joint' or 'base_link'?"),
         ("link:base_joint", "there is no link 'base_joint'; did you mean 'base_link'?"),
         ("base_joint/limits", "<joint> has no child 'limits'; it has parent, child, origin"),
+        ("left_arm_joint@xyz", "<joint> has no attribute 'xyz'; did you mean 'origin@xyz'?"),
+        ("left_arm_joint/upper", "<joint> has no child 'upper'; did you mean 'limit@upper'?"),
         ("left_arm_joint/limit@uper", "<limit> has no attribute 'uper'; did you mean 'upper'?"),
         ("/joint[9]", "<robot> has 3 'joint', and '9' is not one of them"),
     ],

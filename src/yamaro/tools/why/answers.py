@@ -151,9 +151,8 @@ def answer(root: Element, address: str, *, format: str = "urdf") -> Answer:
     element = path[-1]
     if at and element.attributes.get(attribute) is None:
         known = [name for name, value in element.attributes.items() if value is not None]
-        raise UnknownAddress(
-            f"<{element.name}> has no attribute '{attribute}'{_likely(attribute, known)}"
-        )
+        likely = _likely(attribute, known, element)
+        raise UnknownAddress(f"<{element.name}> has no attribute '{attribute}'{likely}")
     return Answer(address, path, attribute if at else None)
 
 
@@ -229,7 +228,8 @@ def _child(element: Element, step: str) -> Element:
     children = [child for child in element.elements() if child.name == name]
     if not children:
         known = [child.name for child in element.elements()]
-        raise UnknownAddress(f"<{element.name}> has no child '{name}'{_likely(name, known)}")
+        likely = _likely(name, known, element)
+        raise UnknownAddress(f"<{element.name}> has no child '{name}'{likely}")
     if not bracket:
         return children[0]
     named = [child for child in children if _name_of(child) == which]
@@ -241,10 +241,26 @@ def _child(element: Element, step: str) -> Element:
     raise UnknownAddress(f"<{element.name}> has {count}, and '{which}' is not one of them")
 
 
-def _likely(word: str, known: Sequence[str]) -> str:
+def _below(element: Element, word: str) -> str:
+    """Return the steps from an element to the first attribute or element in it of a name, or ""."""
+    for child in element.elements():
+        if child.attributes.get(word) is not None:
+            return f"{child.name}@{word}"
+        if any(each.name == word for each in child.elements()):
+            return f"{child.name}/{word}"
+        below = _below(child, word)
+        if below:
+            return f"{child.name}/{below}"
+    return ""
+
+
+def _likely(word: str, known: Sequence[str], element: Element | None = None) -> str:
     near = suggest(word, known)
     if near is not None:
         return f"; did you mean '{near}'?"
+    below = _below(element, word) if element is not None else ""
+    if below:
+        return f"; did you mean '{below}'?"
     listed = list(dict.fromkeys(known))
     return f"; it has {', '.join(listed)}" if 0 < len(listed) <= 8 else ""
 
