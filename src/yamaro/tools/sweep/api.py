@@ -120,16 +120,13 @@ def sweep(
         YamaroError: the study or the robot has errors, or no variant can be built.
         UsageError: an argument makes no sense, or the folder holds something else.
     """
-    study = _study(path, policy, vary=vary, fixed=fixed)
-    override(
-        study, samples=samples, method=method, seed=seed, keep=_listed(keep), to=_listed(to),
-        metrics=_listed(metrics), evaluate=evaluate, models=models or None,
-    )  # fmt: skip
     options = Options(policy=policy, packages=packages, allow=allow, deny=deny, strict=strict)
-    plan = planned(study, options, axes={})
+    plan = _plan(
+        path, options, vary, fixed, timeout, samples=samples, method=method, seed=seed,
+        keep=_listed(keep), to=_listed(to), metrics=_listed(metrics), evaluate=evaluate,
+        models=models or None,
+    )  # fmt: skip
     plan.chunk = chunk or 0
-    if timeout is not None:
-        plan.limit_time(timeout)
     run_sweep(plan, output, engine_of(engine), resumes=resume, on_progress=_teller(on_progress))
     return Sweep(output)
 
@@ -163,29 +160,34 @@ def sweep_batch(
     """
     from .batch import build_batch
 
-    study = _study(path, policy, vary=vary, fixed=fixed)
-    override(study, samples=samples, method=method, seed=seed, keep=_listed(keep))
     options = Options(policy=policy, packages=packages, allow=allow, deny=deny, strict=strict)
-    plan = planned(study, options, axes={})
-    if timeout is not None:
-        plan.limit_time(timeout)
+    plan = _plan(
+        path, options, vary, fixed, timeout, samples=samples, method=method, seed=seed,
+        keep=_listed(keep),
+    )  # fmt: skip
     return build_batch(plan, engine, _teller(on_progress))
 
 
-def _study(
+def _plan(
     path: str | os.PathLike[str],
-    policy: Policy | None,
-    *,
+    options: Options,
     vary: Mapping[str, object] | None,
     fixed: Mapping[str, object] | None,
-) -> Study:
-    study = read_study(os.fspath(path), (policy or Policy()).limits)
+    timeout: float | None,
+    **others: Any,
+) -> Plan:
+    """Return the plan of a robot or a study; `others` is what `override` takes."""
+    study = read_study(os.fspath(path), options.policy.limits)
     if vary is not None:
         study.vary = {name: Written(value) for name, value in vary.items()}
         study.places.pop("vary", None)
     if fixed is not None:
         study.fixed = {name: Written(value) for name, value in fixed.items()}
-    return study
+    override(study, **others)
+    plan = planned(study, options, axes={})
+    if timeout is not None:
+        plan.limit_time(timeout)
+    return plan
 
 
 def _teller(on_progress: Callable[[float], None] | None) -> Callable[[Status], None]:
