@@ -32,7 +32,7 @@ OTHERS = {
         "simready",
     ),
     *("lsp_xacro", "style", "training", "urdf", "usd"),
-    *("batch", "sdf_in", "shapes", "values", "verdicts"),
+    *("batch", "fits_of_others", "planning", "sdf_in", "shapes", "values", "verdicts"),
 }
 """What measures no time by itself, and what needs a corpus that is not part of the project."""
 SCRIPTS = sorted({path.stem for path in BENCH.glob("*.py")} - OTHERS)
