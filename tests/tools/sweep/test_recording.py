@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 import random
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -13,11 +15,14 @@ import pytest
 import yamaro
 from tests.consumers.oracles import require_module
 from yamaro.commands.main import main
+from yamaro.model.convex import Convex, overlapping
+from yamaro.model.pose import ZERO, Pose, rotation_from_rpy
+from yamaro.model.shapes import Box, Capsule, Cylinder, Sphere
 from yamaro.options import Options
 from yamaro.program import Program
 from yamaro.tools.sweep.builder import Builder
 from yamaro.tools.sweep.columns import Columns
-from yamaro.tools.sweep.recording import record
+from yamaro.tools.sweep.recording import Number, Tape, record
 from yamaro.tools.sweep.study import planned, read_study
 from yamaro.tools.sweep.table import Row
 
@@ -290,3 +295,35 @@ def test_variants_with_other_outcomes_are_replayed_apart(
                 found = batch[name][row] if name in batch.files else getattr(one, name)
                 np.testing.assert_allclose(found, value, rtol=0, atol=1e-12, err_msg=name)
         assert abs(batch["stat.extent"][row] - alone.stat.extent) < 1e-12
+
+
+def may_touch(one: str, other: str) -> bool:
+    return True
+
+
+def test_what_overlaps_is_the_same_for_many_variants_at_once() -> None:
+    chance = random.Random(11)
+    kinds: tuple[Any, ...] = (
+        Box(0.3, 0.2, 0.5),
+        Cylinder(0.15, 0.4),
+        Capsule(0.1, 0.3),
+        Sphere(0.2),
+    )
+    outcomes = set()
+    for one, other in itertools.product(kinds, repeat=2):
+        turns = [rotation_from_rpy(*(chance.uniform(-3, 3) for _ in range(3))) for _ in range(2)]
+        rows = [[chance.uniform(-0.4, 0.4) for _ in range(3)] for _ in range(100)]
+
+        tape = Tape(3)
+        recorded = [Number(tape, at, value) for at, value in enumerate(rows[0])]
+        places: list[Any] = [tuple(recorded), *map(tuple, rows)]
+        placed = [
+            [Convex(Pose(turns[0], ZERO), one), Convex(Pose(turns[1], place), other)]
+            for place in places
+        ]
+        tape.settle(overlapping, placed[0], ["a", "b"], may_touch)
+        good = Columns(tape.recording(""), [*zip(*rows, strict=True)]).good
+        expected = [bool(overlapping(each, ["a", "b"], may_touch)) for each in placed[1:]]
+        assert good.tolist() == [each == expected[0] for each in expected]
+        outcomes.update(expected)
+    assert outcomes == {True, False}
