@@ -132,12 +132,12 @@ def test_spheres_that_cover_hold_the_surface_and_others_are_as_far_out_as_in(nam
         apart = [np.linalg.norm(points - center, axis=1) - radius for center, radius in spheres]
         return np.min(apart, axis=0)
 
-    covering = spheres_of(mesh_of(body), 10, cover=True)
-    assert len(covering) <= 10
+    covering = spheres_of(mesh_of(body), 4, cover=True)
+    assert len(covering) <= 4
     assert gaps(covering).max() < 1e-9 * size
-    near = gaps(spheres_of(mesh_of(body), 10, cover=False))
-    more = gaps(spheres_of(mesh_of(body), 30, cover=False))
-    assert abs(more).mean() < abs(near).mean() < 0.05 * size
+    near = gaps(spheres_of(mesh_of(body), 4, cover=False))
+    more = gaps(spheres_of(mesh_of(body), 12, cover=False))
+    assert abs(more).mean() < abs(near).mean() < 0.1 * size
     assert near.max() > 0 > near.min()
 
 
@@ -190,7 +190,7 @@ from yamaro.fitting.spheres import spheres_of
 from yamaro.meshes.triangles import TriangleMesh
 body = trimesh.creation.annulus(0.8, 1.0, 2.0)
 mesh = TriangleMesh(body.vertices.tolist(), body.faces.tolist())
-found = [(p.vertices, p.triangles) for p in decompose(mesh, 5)], spheres_of(mesh, 7, cover=True)
+found = [(p.vertices, p.triangles) for p in decompose(mesh, 3)], spheres_of(mesh, 3, cover=True)
 print(hashlib.sha256(repr(found).encode()).hexdigest())
 """
 

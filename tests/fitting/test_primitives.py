@@ -8,9 +8,9 @@ from random import Random
 
 import pytest
 
-from tests.fitting.solids import noisy
+from tests.fitting.solids import box, noisy
 from yamaro.fitting.fit import Placed, Wanted, fitted, packed, unpacked
-from yamaro.meshes.triangles import read_mesh
+from yamaro.meshes.triangles import TriangleMesh, read_mesh
 from yamaro.model.pose import Pose, rotate, rotation_from_rpy, transposed
 
 ANGLE = Path(__file__).parents[1] / "cases" / "fitting" / "_meshes" / "angle.obj"
@@ -107,3 +107,23 @@ def test_a_shape_is_the_same_from_the_cache_and_along_the_axes_of_its_mesh() -> 
     assert (piece.xyz, piece.rpy) == ((0, 0, 0), (0, 0, 0))
     assert piece.shape.size == (0.4, 0.3, 0.2)
     assert local is mesh.vertices
+
+
+def test_what_is_inside_of_a_housing_does_not_move_its_fit_or_count_as_distance() -> None:
+    points, faces = box([1, 0.6, 0.4])
+    inner, more = box([0.3, 0.2, 0.2])
+    places = [(x + 0.3, y + 0.1, z) for x, y, z in inner]
+    start = len(points)
+    faces += [(i + start, j + start, k + start) for i, j, k in more]
+    fit = fitted(TriangleMesh([*points, *places], faces), Wanted("fit", kind="box"))
+    (piece,) = fit.pieces
+    assert isinstance(piece, Placed)
+    assert piece.shape.size == pytest.approx((1, 0.6, 0.4), abs=1e-4)
+    assert fit.distance < 1e-4
+
+
+def test_a_ball_of_triangles_is_a_sphere() -> None:
+    mesh, _ = noisy("sphere", [0.3], 2, 0.0)
+    (piece,) = fitted(mesh, Wanted("fit", kind="best")).pieces
+    assert isinstance(piece, Placed)
+    assert piece.shape.kind == "sphere"

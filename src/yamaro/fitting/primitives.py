@@ -1,9 +1,9 @@
 """Boxes, cylinders, spheres and capsules fitted to meshes.
 
 Without `covers` a shape is that of the least squares of the distances between its surface and
-points of the mesh, which are spread evenly over its area. With it, it is the smallest shape by
-volume that contains every corner of the mesh, among those that a search from many directions
-finds.
+points of the mesh, which are spread evenly over the area that is seen from outside. With it, it is
+the smallest shape by volume that contains every corner of the mesh, among those that a search from
+many directions finds.
 
 Sizes and positions are rounded to a part of the mesh's size, so that they read well, and so that
 what differs between processors in the last digits does not matter. With `covers` sizes are rounded
@@ -20,7 +20,7 @@ import numpy as np
 from ..model.pose import rotation_from_rpy, rotation_from_z, rpy_from_rotation
 from ..model.shapes import SIMPLE_SHAPES
 from .fit import BEST, Placed
-from .sampling import arrays_of, spread_over
+from .sampling import arrays_of, directions, seen, spread_over
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -41,6 +41,8 @@ SIMPLER = ("sphere", "capsule", "box", "cylinder")
 """The shapes in the order of what a test of contact costs."""
 ALIKE = 0.1
 """The part by which an error may be greater: then the simpler shape is taken."""
+SLIGHT = 1e-3
+"""The same without `covers`, by the mesh's size: a ball of flat triangles is not a capsule."""
 PREFERS_AXES = 1e-3
 """The same for the axes of the mesh, in place of others."""
 THINNEST = 1e-3
@@ -76,7 +78,8 @@ def primitive_of(mesh: TriangleMesh, kind: str, *, covers: bool) -> Placed:
             error, guess = _least_squares(body, each)
             found.append((error, _rounded(each, guess, frame)))
     least = min(error for error, _ in found)
-    return next(placed for error, placed in found if error <= least * (1 + ALIKE) + 1e-9)
+    most = least * (1 + ALIKE) + (0.0 if covers else SLIGHT)
+    return next(placed for error, placed in found if error <= most + 1e-9)
 
 
 class _Frame:
@@ -96,7 +99,7 @@ class _Body:
     """A mesh to fit to, in its frame.
 
     Attributes:
-        samples: points spread over its surface.
+        samples: points spread over its surface, as far as it is seen from outside.
         few: some of them.
         outer: the corners that are farthest in many directions.
     """
@@ -104,9 +107,13 @@ class _Body:
     __slots__ = ("_spread", "few", "outer", "samples")
 
     def __init__(self, points: Floats, triangles: Whole) -> None:
-        self.samples = spread_over(points, triangles, SAMPLES)[0]
-        self.few = self.samples[:: SAMPLES // FEW]
-        ways = _directions(400)
+        samples = spread_over(points, triangles, 2 * SAMPLES)[0]
+        outside = samples[seen(points, triangles, samples)]
+        if len(outside) > FEW:
+            samples = outside
+        self.samples = samples[:: -(-len(samples) // SAMPLES)]
+        self.few = self.samples[:: max(1, len(self.samples) // FEW)]
+        ways = directions(400)
         ways = np.concatenate([ways, -ways])
         farthest: list[int] = []
         for start in range(0, len(ways), 32):
@@ -118,26 +125,13 @@ class _Body:
 
     def axes(self) -> list[Floats]:
         """Return the directions from which the search for an axis begins, the mesh's own first."""
-        return [*np.eye(3)[::-1], *self._spread, *_directions(DIRECTIONS)]
+        return [*np.eye(3)[::-1], *self._spread, *directions(DIRECTIONS)]
 
     def rotations(self) -> list[Floats]:
         """Return the rotations from which the search for a box begins."""
         own = self._spread.T
         own = own * np.linalg.det(own)
         return [np.eye(3), own, *_rotations(TURNS)]
-
-
-def _directions(count: int) -> Floats:
-    """Return unit vectors spread over half a sphere, as a spiral.
-
-    Source: R. Swinbank, R. J. Purser, Fibonacci grids, Quarterly Journal of the Royal
-    Meteorological Society 132, 2006.
-    """
-    steps = np.arange(count)
-    z = (steps + 0.5) / count
-    angle = steps * (pi * (3 - 5**0.5))
-    across = np.sqrt(1 - z * z)
-    return np.stack([across * np.cos(angle), across * np.sin(angle), z], axis=1)
 
 
 def _rotations(count: int) -> list[Floats]:

@@ -2,7 +2,8 @@
 
 The distance is that of Hausdorff between the surface of the mesh and that of all pieces together:
 the greatest one from a point of either to the nearest point of the other. The points are spread
-evenly over both surfaces, and the corners of the mesh are among them.
+evenly over both surfaces, and the corners of the mesh are among them. What is in the mesh and not
+seen from outside does not count: gears in a housing say nothing about its shape.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from ..meshes.triangles import TriangleMesh, is_closed
 from ..model.inertia import solid_moments
 from ..model.pose import rotation_from_rpy
 from .primitives import Guess, distances
-from .sampling import arrays_of, spread_over
+from .sampling import arrays_of, seen, spread_over
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -39,6 +40,8 @@ CELLS = 48
 """Points along the longest side of the box in which the volume of overlapping pieces is counted."""
 CONVEX = 1e-4
 """How much less volume than its hull a convex mesh may have, as a part of it."""
+DEEP = 0.02
+"""How deep in the pieces, by the size, points of the mesh count only if seen from outside."""
 HAIR = 1e-6
 """How far outside of a piece points on its surface are looked at, as a part of its size."""
 DIGITS = 6
@@ -59,6 +62,9 @@ def quality_of(
     inner = np.full(len(looked_at), np.inf)
     for piece in pairs:
         inner = np.minimum(inner, piece.distances(looked_at))
+    deep = np.flatnonzero(inner < -DEEP * float(np.ptp(points, axis=0).max()))
+    if len(deep):
+        inner[deep[~seen(points, triangles, looked_at[deep])]] = 0
     farthest = float(abs(inner).max())
     for index, piece in enumerate(pairs):
         outer = piece.samples(max(200, FEWER // len(pairs)))

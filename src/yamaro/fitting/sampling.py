@@ -26,6 +26,11 @@ ON_SURFACE = 0.4
 """Part of all directions in which a place sees the inside if it is not outside."""
 HIDDEN = 1.25
 """How often a surface is around its own parts that are inside: once and a half if they are flat."""
+VIEWS, PIXELS, DENSE = 40, 128, 60_000
+"""Pairs of opposite directions from which a surface is looked at, the side of each picture, and the
+points of the surface in it."""
+BEHIND = 2
+"""How many pixels deep below the nearest point of the surface a point is seen."""
 PLASTIC = 1.32471795724474602596
 """The real root of x³ = x + 1, of which the R2 sequence is made.
 
@@ -83,6 +88,48 @@ def spread_over(points: Floats, triangles: Whole, count: int) -> tuple[Floats, W
     u, v = np.where(is_outside, 1 - u, u)[:, None], np.where(is_outside, 1 - v, v)[:, None]
     a, b, c = (points[triangles[chosen, corner]] for corner in range(3))
     return a + u * (b - a) + v * (c - a), chosen
+
+
+def directions(count: int) -> Floats:
+    """Return unit vectors spread over half a sphere, as a spiral.
+
+    Source: R. Swinbank, R. J. Purser, Fibonacci grids, Quarterly Journal of the Royal
+    Meteorological Society 132, 2006.
+    """
+    steps = np.arange(count)
+    z = (steps + 0.5) / count
+    angle = steps * (np.pi * (3 - 5**0.5))
+    across = np.sqrt(1 - z * z)
+    return np.stack([across * np.cos(angle), across * np.sin(angle), z], axis=1)
+
+
+def seen(points: Floats, triangles: Whole, places: Floats) -> NDArray[np.bool_]:
+    """Return which places on a surface, N×3, are seen from outside.
+
+    Gears in a housing, and the inner side of its wall, are not. A place is seen if in one of many
+    parallel projections no point of the surface near it is nearer.
+    """
+    dense = spread_over(points, triangles, DENSE)[0]
+    low, high = dense.min(axis=0), dense.max(axis=0)
+    pixel = float(np.sqrt(((high - low) ** 2).sum())) / PIXELS
+    found = np.zeros(len(places), bool)
+    for way in directions(VIEWS):
+        u = np.cross(way, np.eye(3)[int(np.abs(way).argmin())])
+        u /= np.sqrt((u * u).sum())
+        axes = np.stack([u, np.cross(way, u), way])
+        surface, here = (
+            np.round(((each - (low + high) / 2)[:, None] * axes).sum(axis=2) / pixel, 6)
+            for each in (dense, places)
+        )
+        x, y = (np.floor(surface[:, :2]).astype(int) + PIXELS // 2 + 2).T
+        i, j = np.clip(np.floor(here[:, :2]).astype(int) + PIXELS // 2 + 2, 1, PIXELS + 2).T
+        for sign in (1.0, -1.0):
+            picture = np.full((PIXELS + 4, PIXELS + 4), -np.inf)
+            np.maximum.at(picture, (x, y), sign * surface[:, 2])
+            around = np.maximum(np.maximum(picture[:-2], picture[1:-1]), picture[2:])
+            around = np.maximum(np.maximum(around[:, :-2], around[:, 1:-1]), around[:, 2:])
+            found |= sign * here[:, 2] >= around[i - 1, j - 1] - BEHIND
+    return found
 
 
 class Solid:
