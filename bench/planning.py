@@ -185,8 +185,6 @@ def cost(robot: Path, folder: Path) -> tuple[float, float, float]:
                 "mjcf",
                 "--base",
                 "fixed",
-                "--allow",
-                "massless-moving",
                 "-o",
                 str(document),
             ]
