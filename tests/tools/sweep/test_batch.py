@@ -137,6 +137,28 @@ def test_an_argument_that_changes_the_model_itself_is_refused_at_its_line(
     assert not Path("legs.npz").exists()
 
 
+def test_links_that_overlap_in_some_variants_are_what_the_error_names(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    shape = "visual: , collision: "
+    legs = "".join(
+        f"- part:\n    name: {name}\n"
+        f"    joint: {{type: continuous, parent: a, axis: y, xyz: 0 {side}$(away) 0}}\n"
+        f"    link: {{geometry: sphere, radius: 0.1, mass: 1, {shape}}}\n"
+        for name, side in (("b", ""), ("c", "-"))
+    )
+    Path("near.yaml").write_text(
+        "robot: near\nbase: fixed\narguments:\n  away: {default: 0.2, range: [0.05, 0.3]}\n"
+        "model:\n- part: {name: a, link: {geometry: sphere, radius: 0.01, mass: 1, "
+        f"{shape}}}}}\n{legs}"
+    )
+    words = ["near.yaml", "away=0.2,0.05", "--engine", "local:1", "--batch", "b.npz"]
+    assert main(["sweep", *words]) == 1
+    message = capsys.readouterr().err
+    assert "near.yaml:4:3" in message
+    assert "other links overlap at home, and those have no contact (0.2 and 0.05)" in message
+
+
 @pytest.mark.parametrize(
     ("options", "message"),
     [

@@ -48,6 +48,8 @@ COVERS = ((0, 1), (0, 2), (0, 3), (0, 4), (3, 1), (4, 2))
 """Pairs of values of `sameframe` of which the first is right where the second one is."""
 TREES, BOXES = "bvh_", "bvh_aabb"
 """Beginning of the fields of trees of bounding volumes, which MuJoCo makes by where shapes are."""
+EXCLUDED = "exclude_signature"
+"""Pairs of links without contact. They have names, so where they differ, the names do as well."""
 Found = tuple[Any, Any]
 """The numbers of variants, and the values that a field has in them."""
 
@@ -150,14 +152,15 @@ class Comparison:
         assert self.first is not None
         for name, value in _fields(model).items():
             known = self.first[name]
-            if value.shape != known.shape:
-                return name
-            if (value == known).all() or _covers(name, known, value):
+            is_same = value.shape == known.shape
+            if is_same and ((value == known).all() or _covers(name, known, value)):
                 continue
-            if name.startswith(TREES):
+            if is_same and name.startswith(TREES):
                 name = BOXES
-            elif value.dtype.kind != "f":
-                return name
+            elif not is_same or value.dtype.kind != "f":
+                pairs = model.exclude_signature.tolist(), self.first[EXCLUDED].tolist()
+                is_pair = model.nbody == self.first["nbody"] and pairs[0] != pairs[1]
+                return EXCLUDED if name == "names" and is_pair else name
             if name not in self._names:
                 self._names.append(name)
         return ""
@@ -513,6 +516,8 @@ def _unlike(plan: Plan, first: Row, other: Row) -> YamaroError:
     listing = listing_for(plan.robot, plan.options.policy, plan.options.packages)
     declared = next((each for each in listing.declared if each.name == name), None)
     what = f"variant {other.index} differs from variant {first.index} in '{other.unlike}'"
+    if other.unlike == EXCLUDED:
+        what += ": other links overlap at home, and those have no contact"
     hint = "pass a value for it with :=, and make a batch for each of its values"
     if declared is None:
         return failure_of_all("sweep-batch", f"{what}, which is one for a batch", "sweep", None)
