@@ -16,6 +16,7 @@ from yamaro.codes import ADJUSTABLE
 
 CORPUS = Path(__file__).parents[3] / "shared" / "corpus"
 HAND_WRITTEN = {
+    "codes/unknown-joint.xml",
     "diagnostics/unknown-joint.xml",
     "include/material-of-another-look-in-a-urdf.xml",
     "include/same-robot-twice.xml",

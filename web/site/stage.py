@@ -21,6 +21,7 @@ DOCS = ROOT / "docs"
 PAGES = {
     "docs/README.md": "contents.md",
     "examples/README.md": "gallery.md",
+    "examples/quadruped/study/README.md": "sweep-a-quadruped.md",
     "robots/README.md": "robots.md",
     "README.md": "index.md",
     "CHANGELOG.md": "changelog.md",
@@ -29,9 +30,10 @@ PAGES = {
     "ARCHITECTURE.md": "architecture.md",
 }
 """Pages that have another name on the site than in the repository."""
+LISTS = ("examples/README.md", "robots/README.md")
+"""Pages of a folder of robots, below which the site shows their files."""
 MOVED = {
     "sweep-metrics.html": "sweeps.html",
-    "sweep-a-quadruped.html": "sweeps.html",
     "mesh-in-millimetres.html": "from-cad-exports.html",
     "performance.html": "faq.html",
     "two-arms-on-a-table.html": "put-a-gripper-on-an-arm.html",
@@ -76,11 +78,12 @@ def main(target: Path) -> None:
     for old, new in MOVED.items():
         stage.write(old, REDIRECT.format(page=new))
     (target.parent / "mkdocs.yml").write_text(menu, encoding="utf-8")
-    for name in ("CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "ARCHITECTURE.md"):
-        stage.write(PAGES[name], stage.converted(ROOT / name))
-    for folder in ("examples", "robots"):
-        page = ROOT / folder / "README.md"
-        stage.write(PAGES[f"{folder}/README.md"], stage.converted(page) + files_below(folder))
+    for name in PAGES:
+        if not name.startswith("docs/") and name != "README.md" and name not in LISTS:
+            stage.write(PAGES[name], stage.converted(ROOT / name))
+    for name in LISTS:
+        page = ROOT / name
+        stage.write(PAGES[name], stage.converted(page) + files_below(page.parent.name))
     shutil.copytree(ROOT / "web" / "site" / "assets", target / "assets")
 
 

@@ -18,7 +18,6 @@ from scipy.spatial import ConvexHull, HalfspaceIntersection, QhullError, cKDTree
 
 from ..meshes.formats import MeshFileError
 from ..meshes.triangles import TriangleMesh, is_closed
-from ..model.inertia import solid_moments
 from .sampling import Solid, arrays_of
 
 if TYPE_CHECKING:
@@ -50,7 +49,7 @@ LOW = (1e-5, 1e-4, 5e-4, 2e-3)
 """Corners that are not higher above the hull of the others go: the first that is enough."""
 DENT = 4e-6
 """How far a corner may be above the next triangle in single precision, by the size of a piece."""
-NO_TRIANGLES, NO_POINTS, NO_PLANES = np.empty((0, 3, 3)), np.empty((0, 3)), np.empty((0, 4))
+NO_POINTS, NO_PLANES = np.empty((0, 3)), np.empty((0, 4))
 NO_HEIGHTS = np.empty(0)
 DIGITS = 9
 """Digits by which volumes are compared, so that equal ones are equal on all machines."""
@@ -67,7 +66,7 @@ class Piece:
             that, N×4.
         deep: where three of these planes meet in the solid, N×3.
         inner: places of a grid that are in the solid and in this part, N×3.
-        corners: those of the hull of `coarse` and `deep`, N×3; in the end, of `triangles` as well.
+        corners: those of the hull of `coarse` and `deep`, N×3.
         volume: of that hull.
         split: how good the best plane is, its normal and its place along that; None before it was
             looked for.
@@ -94,6 +93,10 @@ class Piece:
         self.deep = deep
         self.corners, self.volume = _hull(np.concatenate([coarse.reshape(-1, 3), deep]))
         self.split: tuple[float, Floats, float] | None = None
+
+    def points(self) -> tuple[Floats, Floats]:
+        """Return the corners of the surface in the piece, and the other points it has to hold."""
+        return self.triangles.reshape(-1, 3), self.deep
 
     def parts(self) -> list[Piece]:
         """Return the two parts that the best plane makes."""
@@ -156,7 +159,7 @@ def decompose(mesh: TriangleMesh, count: int) -> list[TriangleMesh]:
     if not whole.volume > 0:
         raise MeshFileError("it is flat, so that no convex piece has a volume")
     least = WORTH * whole.volume
-    if is_closed(mesh) and whole.volume - abs(solid_moments(mesh).volume) < least:
+    if whole.volume - _volume(triangles) < least and is_closed(mesh):
         count = 1
     pieces = [whole]
     while count > 1 and len(pieces) < SPARE * count:
@@ -166,12 +169,18 @@ def decompose(mesh: TriangleMesh, count: int) -> list[TriangleMesh]:
         if empty[index] < 1 / SPARE or not _find_cut(pieces[index]):
             break
         pieces[index : index + 1] = pieces[index].parts()
-    for each in pieces:
-        points = np.concatenate([each.triangles.reshape(-1, 3), each.deep])
-        each.corners, each.volume = _hull(points)
-    pieces = _merged(pieces, count, least)
-    pieces.sort(key=lambda each: -each.volume)
-    return [_hull_mesh(simplified(each.corners)) for each in pieces]
+    found = [
+        _hull(np.vstack([points for each in group for points in each.points()]))
+        for group in _merged(pieces, count, least)
+    ]
+    found.sort(key=lambda each: -each[1])
+    return [_hull_mesh(simplified(corners)) for corners, _ in found]
+
+
+def _volume(triangles: Floats) -> float:
+    """Return what a closed surface encloses, N×3×3, summed over tetrahedra."""
+    a, b, c = np.moveaxis(triangles - triangles.mean(axis=(0, 1)), 1, 0)
+    return abs(float((a * np.cross(b, c)).sum())) / 6
 
 
 def _coarse(points: Floats, indices: Whole) -> Floats:
@@ -305,39 +314,36 @@ def _growing(parts: Sequence[Floats]) -> list[float]:
 # --- merging ----------------------------------------------------------------------------------
 
 
-def _merged(pieces: list[Piece], count: int, least: float) -> list[Piece]:
-    """Return at most `count` pieces: the two are merged first whose common hull adds least volume.
+def _merged(pieces: list[Piece], count: int, least: float) -> list[list[Piece]]:
+    """Return pieces in at most `count` groups, each of which becomes one piece.
 
-    They are merged further while that adds less than `least`.
+    The two are merged first whose common hull adds least volume, and further while that adds less
+    than `least`.
     """
-    found: dict[tuple[int, int], Piece] = {}
-    alive = dict(enumerate(pieces))
-    while len(alive) > 1:
-        names = list(alive)
-        for i, first in enumerate(names):
-            for second in names[i + 1 :]:
-                if (first, second) not in found:
-                    corners = np.concatenate([alive[first].corners, alive[second].corners])
-                    found[first, second] = Piece(
-                        NO_TRIANGLES, NO_TRIANGLES, pieces[0].solid, NO_POINTS, deep=corners
-                    )
+    hulls = {index: (each.corners, each.volume) for index, each in enumerate(pieces)}
+    groups = {index: [each] for index, each in enumerate(pieces)}
+    common: dict[tuple[int, int], tuple[Floats, float]] = {}
+    while len(groups) > 1:
+        for one, other in combinations(groups, 2):
+            if (one, other) not in common:
+                corners = np.concatenate([hulls[one][0], hulls[other][0]])
+                common[one, other] = _hull(corners)
         added = {
-            pair: float(np.round((each.volume - alive[pair[0]].volume - alive[pair[1]].volume)
-                                 / least, DIGITS))
-            for pair, each in found.items()
-        }  # fmt: skip
+            pair: round((volume - hulls[pair[0]][1] - hulls[pair[1]][1]) / least, DIGITS)
+            for pair, (_, volume) in common.items()
+        }
         pair = min(added, key=lambda each: (added[each], each))
-        is_flat = not min(alive[each].volume for each in pair) > 0
-        if len(alive) <= count and added[pair] >= 1 and not is_flat:
-            flat = [each for each in alive if not alive[each].volume > 0]
+        is_flat = not min(hulls[each][1] for each in pair) > 0
+        if len(groups) <= count and added[pair] >= 1 and not is_flat:
+            flat = [each for each in groups if not hulls[each][1] > 0]
             if not flat:
                 break
             pair = min((each for each in added if flat[0] in each), key=lambda p: (added[p], p))
-        alive[max(alive) + 1] = found[pair]
-        for each in pair:
-            del alive[each]
-        found = {key: each for key, each in found.items() if not set(key) & set(pair)}
-    return list(alive.values())
+        number = max(groups) + 1
+        hulls[number] = common[pair]
+        groups[number] = groups.pop(pair[0]) + groups.pop(pair[1])
+        common = {key: each for key, each in common.items() if not set(key) & set(pair)}
+    return list(groups.values())
 
 
 # --- fewer corners ----------------------------------------------------------------------------

@@ -62,4 +62,6 @@ def write(robot: Robot, wanted: Wanted) -> Output:
     losses += lost_sections(robot, states=True)
     for loop in loops.open if loops is not None else ():
         losses.approximate("loops", loop, how="a file beside the tree")
+    if robot.base is not None and robot.base.type == "free":
+        losses.lose("free bases", robot.base, label=f"robot '{robot.name}'")
     return output
