@@ -37,12 +37,12 @@ SPARE = 1.5
 """How many times as many pieces are cut as asked for, before they are merged."""
 BALANCE = 0.03
 """How much planes count that cut a piece in parts of equal size, as against those that save."""
+LITTLE = 0.03
+"""Part of a piece that a cut has to save; else the next cuts are looked at as well."""
 WORTH = 0.004
 """Part of the hull's volume that one more piece has to save."""
 PARALLEL = 1e-6
 """The volume that three unit normals span, below which their planes do not meet in one point."""
-HAIR = 1e-6
-"""How far outside, by its size, points are on the surface of a solid."""
 NEAR = 1e-6
 """Corners that are as near as this, by the size of their piece, are one."""
 LOW = (1e-5, 1e-4, 5e-4, 2e-3)
@@ -50,9 +50,11 @@ LOW = (1e-5, 1e-4, 5e-4, 2e-3)
 DENT = 4e-6
 """How far a corner may be above the next triangle in single precision, by the size of a piece."""
 NO_POINTS, NO_PLANES = np.empty((0, 3)), np.empty((0, 4))
-NO_HEIGHTS = np.empty(0)
+NO_TRIANGLES = np.empty((0, 3, 3))
 DIGITS = 9
 """Digits by which volumes are compared, so that equal ones are equal on all machines."""
+Split = tuple[float, "Floats", float]
+"""How good a plane is to cut a piece with, its normal, and its place along that."""
 
 
 class Piece:
@@ -92,7 +94,7 @@ class Piece:
         self.planes = planes
         self.deep = deep
         self.corners, self.volume = _hull(np.concatenate([coarse.reshape(-1, 3), deep]))
-        self.split: tuple[float, Floats, float] | None = None
+        self.split: Split | None = None
 
     def points(self) -> tuple[Floats, Floats]:
         """Return the corners of the surface in the piece, and the other points it has to hold."""
@@ -102,10 +104,22 @@ class Piece:
         """Return the two parts that the best plane makes."""
         assert self.split is not None
         _, normal, place = self.split
-        fine = cut(self.triangles, normal, place)
-        coarse = cut(self.coarse, normal, place)
         (met,) = self.met(normal, [place])
-        met = met[self.solid.holds(met)]
+        return self._cut(normal, place, self.triangles, met[self.solid.holds(met)])
+
+    def ahead(self, split: Split) -> float:
+        """Return the volume that a plane saves, with the next one in each of its parts."""
+        gain, normal, place = split
+        (met,) = self.met(normal, [place])
+        saved = gain * self.volume
+        for part in self._cut(normal, place, NO_TRIANGLES, met[self.solid.is_near(met)]):
+            if part.volume > 0:
+                saved += part.volume * max(each[0] for each in _scans(part))
+        return saved
+
+    def _cut(self, normal: Floats, place: float, triangles: Floats, met: Floats) -> list[Piece]:
+        fine = cut(triangles, normal, place)
+        coarse = cut(self.coarse, normal, place)
         found = []
         for number, sign in enumerate((1.0, -1.0)):
             plane = sign * np.append(normal, place)
@@ -237,11 +251,11 @@ def cut(triangles: Floats, normal: Floats, place: float) -> tuple[Floats, Floats
 
 def _find_cut(piece: Piece) -> bool:
     """Find the best plane to cut a piece with; return whether there is one."""
-    best = (0.0, np.array([1.0, 0.0, 0.0]), 0.0)
-    for normal in _directions(piece):
-        heights = piece.coarse @ normal
-        low, high = float(heights.min()), float(heights.max())
-        best = max(best, _scan(piece, normal, heights, low, high), key=lambda found: found[0])
+    tried = _scans(piece)
+    best = max(tried, key=lambda found: found[0])
+    if 0 < best[0] < LITTLE:
+        some = [found for found in tried if found[0] > 0]
+        best = max(some, key=lambda found: round(piece.ahead(found) / piece.volume, DIGITS))
     gain, normal, place = best
     if gain > 0:
         heights = piece.coarse @ normal
@@ -250,6 +264,15 @@ def _find_cut(piece: Piece) -> bool:
         best = max(best, fine, key=lambda found: found[0])
     piece.split = best
     return gain > 0
+
+
+def _scans(piece: Piece) -> list[Split]:
+    """Return the best plane along each direction that is tried."""
+    found = []
+    for normal in _directions(piece):
+        heights = piece.coarse @ normal
+        found.append(_scan(piece, normal, heights, float(heights.min()), float(heights.max())))
+    return found
 
 
 def _directions(piece: Piece) -> list[Floats]:
@@ -269,9 +292,7 @@ def _directions(piece: Piece) -> list[Floats]:
     return found
 
 
-def _scan(
-    piece: Piece, normal: Floats, heights: Floats, low: float, high: float
-) -> tuple[float, Floats, float]:
+def _scan(piece: Piece, normal: Floats, heights: Floats, low: float, high: float) -> Split:
     """Return how good the best of some planes between two places is, its normal and its place.
 
     That is the part of the volume that it saves, and a little for parts of equal size.
@@ -279,10 +300,7 @@ def _scan(
     places = np.linspace(low, high, CUTS + 2)[1:-1]
     parts = []
     rest, rest_heights = piece.coarse, heights
-    met = []
-    for points in piece.met(normal, places):
-        apart = piece.solid.distances(points) if len(points) else NO_HEIGHTS
-        met.append(points[apart <= HAIR * piece.solid.size])
+    met = [points[piece.solid.is_near(points)] for points in piece.met(normal, places)]
     deep = np.searchsorted(places, piece.deep @ normal)
     more = [
         np.concatenate([piece.deep[deep == index], *met[max(index - 1, 0) : index + 1]])

@@ -31,6 +31,8 @@ VIEWS, PIXELS, DENSE = 40, 128, 60_000
 points of the surface in it."""
 BEHIND = 2
 """How many pixels deep below the nearest point of the surface a point is seen."""
+HAIR = 1e-6
+"""How far outside, by its size, points are on the surface of a solid."""
 PLASTIC = 1.32471795724474602596
 """The real root of x³ = x + 1, of which the R2 sequence is made.
 
@@ -205,6 +207,12 @@ class Solid:
         near = np.where(apart[:, 0] < 2 * self._spacing, height, apart[:, 0])
         found: Floats = np.where(outside, near, -near)
         return found
+
+    def is_near(self, places: Floats) -> NDArray[np.bool_]:
+        """Return whether places, N×3, are inside or about on the surface."""
+        if not len(places):
+            return np.zeros(0, bool)
+        return self.distances(places) <= HAIR * self.size
 
     def holds(self, places: Floats) -> NDArray[np.bool_]:
         """Return whether places, N×3, are inside or on the surface; takes longer, but is exact.
