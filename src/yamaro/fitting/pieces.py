@@ -3,9 +3,10 @@
 Planes cut the mesh, and a piece is the hull of what is on one side of each of some planes: of the
 surface there, and of the points in the solid where three planes meet. The farthest points of the
 solid between planes are among these. So pieces contain the surface by construction, also where it
-is open or not a manifold, and the solid. More pieces are cut than asked for, and those merged whose
-common hull is the least larger. Source of that: K. Mamou, F. Ghorbel, A simple and efficient
-approach for 3D mesh approximate convex decomposition, ICIP 2009.
+is open or not a manifold, and the solid. Where no plane saves much, as in a tube, the next ones are
+looked at as well. More pieces are cut than asked for, and those merged whose common hull is the
+least larger. Source of that: K. Mamou, F. Ghorbel, A simple and efficient approach for 3D mesh
+approximate convex decomposition, ICIP 2009.
 """
 
 from __future__ import annotations

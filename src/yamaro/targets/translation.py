@@ -40,13 +40,13 @@ DYNAMICS = {
 }
 """What the dynamics of an axis are in MJCF."""
 TIGHT = {"solref": "0.004 1", "solimp": "0.99 0.999 0.001"}
-"""How fast and how exactly an equality holds: as the writer of MJCF has it."""
+"""How fast and how exactly equalities hold: as stiff as the time step of MuJoCo allows."""
 SPRINGS = {"stiffness": "spring_stiffness", "springref": "spring_reference"}
 """The values of a spring in MJCF, and the elements of SDF that say them of an axis."""
-
-
 SOFTNESS = ("solref", "solimp")
 """The values of an equality of MJCF that say how stiff it is."""
+COUPLED = {"name", "joint1", "joint2", "polycoef", *SOFTNESS}
+"""The values of an equality of two joints of MJCF that a coupling keeps."""
 
 
 class Coupling(NamedTuple):
@@ -167,13 +167,7 @@ class Translation:
                 ):
                     continue
                 leaders[names[0]] = names[1]
-                if equality.attributes.keys() <= {
-                    "name",
-                    "joint1",
-                    "joint2",
-                    "polycoef",
-                    *SOFTNESS,
-                }:
+                if equality.attributes.keys() <= COUPLED:
                     self.taken.add(id(equality))
                 yield Coupling(names[0], names[1], row[1], row[0], equality)
 

@@ -11,6 +11,7 @@ from ..foreign_xml import foreign_losses
 from ..holding import cones, lost_of_joints, lost_sections, renamed_sensors
 from ..output import FOLDER, Output
 from ..table import TARGETS
+from ..translation import TIGHT
 from .assets import Looks, with_files
 from .blocks import (
     ACTUATORS,
@@ -101,8 +102,6 @@ def document(writing: Writing, top: list[Element]) -> Element:
 
 
 SITE_SIZE = 0.005
-STIFF: Attributes = {"solref": "0.004 1", "solimp": "0.99 0.999 0.001"}
-"""How fast and how exactly equalities hold: as stiff as the time step of MuJoCo allows."""
 VISUAL_GROUP, COLLISION_GROUP, SITE_GROUP = 2, 3, 4
 
 
@@ -124,7 +123,7 @@ def head(writing: Writing) -> list[Element]:
     if has_meshes and not is_whole:
         of_model.append(element("mesh", {"inertia": "shell"}))
     if writing.sections["equality"].children and not is_whole:
-        of_model.append(element("equality", STIFF))
+        of_model.append(element("equality", TIGHT))
     of_model += [
         element("default", {"class": name}, children=[content]) for name, content in inner.items()
     ]
