@@ -475,8 +475,9 @@ def lower(
         )
         interpreter.depends_on_format = fitter.differs_in_urdf
     if interpreter.has_blocks:
-        from .robot.notes import take_raw_blocks
+        from .robot.notes import take_armatures, take_raw_blocks
 
+        root, notes = take_armatures(root, notes)
         root, blocks = take_raw_blocks(root)
         notes = [*notes, *blocks]
     if interpreter.is_yaml and root.name == "robot":

@@ -164,7 +164,7 @@ def text(values: Values = {}) -> str:  # noqa: B006 - is not changed
     """Return the robot as YAML, with some values of its rows changed."""
 
     def fields(thing: Thing) -> str:
-        return ", ".join(f"{n}: {value_of((thing.name, n), values)}" for n in thing.fields)
+        return ", ".join(f"{n}: {value_of((thing.name, n), values)}" for n in thing.attributes)
 
     def driven(*names: str) -> str:
         return ", ".join(f"{n}: {value_of(('actuator', n), values)}" for n in names)
@@ -262,6 +262,7 @@ model:
       parent: fore
       axis: y
       limit: {{lower: -9, upper: 9, effort: 9, velocity: 3}}
+      dynamics: {{armature: {value("dynamics", "armature")}}}
       mimic: {{{fields(ELEMENTS["mimic"])}}}
     link:
       geometry: sphere

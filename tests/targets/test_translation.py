@@ -132,6 +132,15 @@ def test_equalities_and_armatures_of_mjcf_are_in_usd_and_sdf(tmp_path: Path) -> 
     assert follower.GetAttribute("newton:mimicCoef1").Get() == pytest.approx(multiplier)
     assert list(follower.GetAttribute("mjc:solref").Get()) == list(model.eq_solref[0])
 
+    from yamaro.commands.main import main
+
+    source, made = str(tmp_path / "first.xml"), str(tmp_path / "hand.yaml")
+    assert main(["migrate", "-q", source, "-o", made]) == 0
+    written(tmp_path, "hand.yaml", "usd", "again.usda")
+    stage = usd.Stage.Open(str(tmp_path / "again.usda"))
+    third = stage.GetPrimAtPath("/hand/joints/third")
+    assert third.GetAttribute("newton:armature").Get() == pytest.approx(0.04)
+
     written(tmp_path, "first.xml", "sdf", "made.sdf")
     written(tmp_path, "made.sdf", "mjcf", "second.xml")
     again = mujoco.MjModel.from_xml_path(str(tmp_path / "second.xml"))

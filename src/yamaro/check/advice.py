@@ -724,5 +724,5 @@ def _is_leftover(text: str) -> bool:
 
 def _is_number(element: str, attribute: str) -> bool:
     """Return whether URDF reads numbers there, so that the check reports it anyway."""
-    rule = ELEMENTS[element].fields.get(attribute) if element in ELEMENTS else None
+    rule = ELEMENTS[element].attributes.get(attribute) if element in ELEMENTS else None
     return rule is not None and rule.count != TEXT

@@ -146,7 +146,7 @@ def _check_order(
 
 def _check_dynamics(dynamics: Element, joint: Element, context: CheckContext) -> None:
     """Check that it says something: urdfdom refuses a joint whose dynamics is bare."""
-    if any(attribute_text(dynamics, name) is not None for name in ELEMENTS["dynamics"].fields):
+    if any(attribute_text(dynamics, name) is not None for name in ELEMENTS["dynamics"].attributes):
         return
     context.report(
         "missing-attribute",

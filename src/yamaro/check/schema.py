@@ -191,7 +191,7 @@ def _severity_of(name: str, context: CheckContext) -> str:
 
 def _check_attributes(element: Element, rule: Thing, owner: Element, context: CheckContext) -> None:
     attributes, sound = element.attributes, context.sound_values
-    known, is_row = rule.fields, context.numbers.is_row
+    known, is_row = rule.attributes, context.numbers.is_row
     for name, value in attributes.items():
         attribute_rule = known.get(name)
         if attribute_rule is None:
@@ -362,9 +362,9 @@ def _check_unknown_attribute(
     else:
         from ..diagnostics import meant
 
-        absent = [known for known in rule.fields if known not in element.attributes]
+        absent = [known for known in rule.attributes if known not in element.attributes]
         near, fix = meant(name, absent, element.name_span(name))
-        hint = near or _choices("attributes", element.name, rule.fields)
+        hint = near or _choices("attributes", element.name, rule.attributes)
     context.report(
         "unknown-attribute",
         f"URDF has no attribute '{name}' in {_holder(element, owner)}; parsers ignore it",
@@ -452,7 +452,7 @@ def _hint_for_stray(
     from ..diagnostics import meant
 
     name = child.name
-    if name in rule.fields:
+    if name in rule.attributes:
         text = child.text().strip() or "…"
         return f"in URDF it is an attribute: `{element.name}/{name}={text}:`", None
     if name in GAZEBO_ONLY:

@@ -30,14 +30,26 @@ DEGREES_OF_FREEDOM = {REVOLUTE: 1, CONTINUOUS: 1, PRISMATIC: 1, PLANAR: 3, FLOAT
 
 
 class Record(Written):
-    """What an element in a joint says: a slot for each of its fields in the schema."""
+    """What an element in a joint says: a slot for each of its fields in the schema.
+
+    What URDF has no attributes for is only in a note, which is the whole element.
+    """
 
     __slots__ = ()
 
-    def __init__(self, element: Element, number: Callable[[Element, str], float | None]) -> None:
+    def __init__(
+        self,
+        element: Element,
+        number: Callable[[Element, str], float | None],
+        *,
+        is_note: bool = False,
+    ) -> None:
         """Take the values of an element; `number` reads one, or returns None."""
         self.element = element
         for name, field in ELEMENTS[element.name].fields.items():
+            if not (field.in_urdf or is_note):
+                setattr(self, name, field.default)
+                continue
             found: object = number(element, name) if field.count != TEXT else None
             if field.count == TEXT:
                 found = attribute_text(element, name) or ""
@@ -83,12 +95,19 @@ class Mimic(Record):
 
 
 class Dynamics(Record):
-    """Damping (N·m·s/rad or N·s/m) and friction (N·m or N) of a joint; 0 by default."""
+    """What resists a joint; all 0 by default.
+
+    Attributes:
+        damping: in N·m·s/rad or N·s/m.
+        friction: in N·m or N.
+        armature: of a joint without an actuator, in kg·m² or kg.
+    """
 
     __slots__ = tuple(ELEMENTS["dynamics"].fields)
 
     damping: float
     friction: float
+    armature: float
 
 
 class SafetyController(Record):

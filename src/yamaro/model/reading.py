@@ -42,6 +42,8 @@ if TYPE_CHECKING:
     Numbers = tuple[float, ...]
     Contents = tuple[Inertial | None, tuple[Visual, ...], tuple[Collision, ...]]
 
+DYNAMICS = "dynamics"
+"""A note that is all of what resists a joint, where URDF does not have all of it."""
 COUNT_WORDS = {1: "one number", 3: "three numbers", 4: "four numbers"}
 
 
@@ -120,6 +122,7 @@ class _Reader:
         self._origins: dict[int, Pose] = {}
         self._axes: dict[int, Vector] = {}
         self._parts: dict[int, Any] = {}
+        self._dynamics: dict[object, Element] = {}  # notes of joints, by name
         self._visuals: dict[int, Visual] = {}
         self._collisions: dict[int, Collision] = {}
         self._link_reader, self._joint_reader = self._read_link, self._read_joint  # bound once
@@ -132,6 +135,7 @@ class _Reader:
         joints: list[Joint] = []
         materials: list[Material] = []
         above = self._root.trace_within(None)
+        self._dynamics = {each.attributes["joint"]: each for each in notes if each.name == DYNAMICS}
         for element in self._root.children:
             if not isinstance(element, Element):
                 continue
@@ -313,7 +317,10 @@ class _Reader:
         joint.axis = X_AXIS if axis is None else self._axes.get(id(axis)) or self._axis(axis)
         if limit is not None:
             joint.limit = self._part(Limit, limit)
-        if dynamics is not None:
+        note = self._dynamics.get(joint.name)
+        if note is not None:
+            joint.dynamics = Dynamics(note, self._number, is_note=True)
+        elif dynamics is not None:
             joint.dynamics = self._part(Dynamics, dynamics)
         safety, calibration = get("safety_controller"), get("calibration")
         if safety is not None:

@@ -56,11 +56,12 @@ class Field:
         help: what the editor and the docs say of it, beside its unit and default.
         example: a value, for hints.
         parts: what each of several numbers is, in words.
+        in_urdf: whether URDF has it, if it has the thing; what it has not is in a note at the end.
     """
 
     __slots__ = (
-        "choices", "count", "default", "example", "help", "kind", "name", "parts", "required",
-        "reversal", "sign",
+        "choices", "count", "default", "example", "help", "in_urdf", "kind", "name", "parts",
+        "required", "reversal", "sign",
     )  # fmt: skip
 
     def __init__(
@@ -77,6 +78,7 @@ class Field:
         help: str = "",
         example: str = "",
         parts: str = "",
+        in_urdf: bool = True,
     ) -> None:
         """Describe a field; see the class."""
         self.name = name
@@ -90,6 +92,7 @@ class Field:
         self.help = help
         self.example = example
         self.parts = parts
+        self.in_urdf = in_urdf
 
     def __repr__(self) -> str:
         return f"<Field '{self.name}'>"
@@ -101,6 +104,7 @@ class Thing:
     Attributes:
         name: its name: that of the element or of the word.
         fields: its values by name, in the order in which they are listed and compared.
+        attributes: those that its element has in URDF.
         children: the elements that may be in it, each ONCE or OFTEN.
         required: the names of the fields that it must have.
         required_children: the elements that it must have.
@@ -110,7 +114,8 @@ class Thing:
     """
 
     __slots__ = (
-        "children", "extensions", "fields", "name", "required", "required_children", "scalar",
+        "attributes", "children", "extensions", "fields", "name", "required", "required_children",
+        "scalar",
     )  # fmt: skip
 
     def __init__(
@@ -125,6 +130,7 @@ class Thing:
         """Describe a thing; see the class."""
         self.name = name
         self.fields = {field.name: field for field in fields}
+        self.attributes = {field.name: field for field in fields if field.in_urdf}
         self.children = children if children is not None else {}
         self.required = tuple([field.name for field in fields if field.required])
         self.required_children = required_children
@@ -319,6 +325,9 @@ _THINGS = (
               help="the viscous friction"),
         Field("friction", 1, "effort", sign=NOT_NEGATIVE, default=0.0, example="0.1",
               help="the static friction"),
+        Field("armature", 1, "armature", sign=NOT_NEGATIVE, default=0.0, example="0.01",
+              in_urdf=False,
+              help="the inertia of a rotor at the joint, which an `actuator` may give as well"),
     ),
     Thing(
         "mimic",

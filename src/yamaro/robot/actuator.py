@@ -19,6 +19,7 @@ from ..xml.values import LiteralList, Numbers, format_value
 from .extras import read_field
 from .fields import empty_value, read_value, word_of
 from .notes import (
+    armature_of,
     chosen,
     entries_of,
     given_once,
@@ -136,7 +137,8 @@ def _actuator(
         numbers, span = values["rotor_inertia"]
         gear = values["gear"][0].values[0] if "gear" in values else 1.0
         values["armature"] = _computed(numbers.values[0] * gear * gear, span, word), span
-    _add_gains(values, word, is_velocity=note.attributes["command"] == COMMANDS[1])
+    armature = values["armature"][0] if "armature" in values else armature_of(joint)
+    _add_gains(values, word, armature, is_velocity=note.attributes["command"] == COMMANDS[1])
     for name, (numbers, span) in values.items():
         note.attributes[name], places[name] = numbers, span
     return note
@@ -294,7 +296,9 @@ def _left_of(before: RobotNote, given: Values) -> Values:
 # --- what follows from them ---------------------------------------------------------------------
 
 
-def _add_gains(values: Values, word: Element, *, is_velocity: bool) -> None:
+def _add_gains(
+    values: Values, word: Element, armature: Numbers | None, *, is_velocity: bool
+) -> None:
     """Add the gains that a frequency and a damping ratio mean; only that of velocity, if so."""
     if "frequency" not in values:
         if "damping_ratio" in values:
@@ -307,8 +311,8 @@ def _add_gains(values: Values, word: Element, *, is_velocity: bool) -> None:
             )
         return
     frequency, span = values["frequency"]
-    armature = values["armature"][0].values[0] if "armature" in values else 0.0
-    if not armature:
+    inertia = 0.0 if armature is None else armature.values[0]
+    if not inertia:
         raise failure(
             "missing-key",
             "'frequency' gives the gains of an armature, and this actuator has none",
@@ -320,8 +324,8 @@ def _add_gains(values: Values, word: Element, *, is_velocity: bool) -> None:
     zeta = 1.0 if ratio is None else ratio.values[0]
     omega = tau * frequency.values[0]
     if not is_velocity:
-        values["kp"] = _computed(armature * omega * omega, span, word), span
-    values["kd"] = _computed(2 * zeta * armature * omega, span, word), place
+        values["kp"] = _computed(inertia * omega * omega, span, word), span
+    values["kd"] = _computed(2 * zeta * inertia * omega, span, word), place
 
 
 def _computed(value: float, span: Span, word: Element) -> Numbers:

@@ -199,7 +199,7 @@ HOMES: dict[str, dict[str, str]] = {
             name: f"it belongs in '{record}:'"
             for record in RECORDS
             for name in ELEMENTS[record].fields
-            if name not in POSE_ROWS and name != "joint"
+            if name not in POSE_ROWS and name not in ("armature", "joint")
         },
     },
     "link": {

@@ -235,6 +235,7 @@ def _lower_record(lowering: Lowering, key: Element) -> Element:
         label = thing.name if attribute == thing.scalar else attribute
         try:
             if field is not None and field.count != TEXT:
+                lowering.has_armatures |= not field.in_urdf
                 record.values[attribute] = read_attribute(
                     lowering, record, attribute, count=field.count, name=label, kind=field.kind
                 )

@@ -85,6 +85,7 @@ class Lowering:
         root: the robot, as it was evaluated.
         fits: what was worked out from the meshes of sections, by the identity of the key, with it.
         fitter: takes the meshes that are made.
+        has_armatures: whether a `dynamics` has an armature, which is to be taken out of it.
         has_capsule: whether the robot's URDF version knows capsules.
         moments: the volume integrals of the mesh files read so far, by path.
         near_keys: what a key in a place was found to be a misspelling of.
@@ -121,6 +122,7 @@ class Lowering:
         "errors",
         "fits",
         "fitter",
+        "has_armatures",
         "has_capsule",
         "has_words",
         "inertias",
@@ -166,7 +168,7 @@ class Lowering:
         self.resolve_mesh = resolve_mesh
         self.may_read = may_read
         self.has_capsule = has_capsule
-        self.has_words = False
+        self.has_words = self.has_armatures = False
         self.errors: list[Diagnostic] = []
         self.namings: dict[Source, Naming] = {}
         self.numbers: dict[str, Numbers] = {}

@@ -9,14 +9,14 @@ from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure, unknown_word
 from ..xml.tree import Comment, Element, RawBlock, RobotNote, Text
-from ..xml.values import LiteralList, format_value
-from .fields import other_word, read_value, word_of
+from ..xml.values import LiteralList, Numbers, format_value
+from .fields import other_word, read_value, with_attributes, word_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
 
-    from ..diagnostics import Frame
+    from ..diagnostics import Diagnostic, Frame
     from ..source import Span
     from ..xml.tree import Node
     from .lowering import Lowering
@@ -314,6 +314,88 @@ def chosen(word: str, span: Span, key: Element, choices: Sequence[str]) -> str:
         trace=key.trace,
         near=other_word(word, choices),
     )
+
+
+# --- values that URDF does not have -------------------------------------------------------------
+
+
+ARMATURE = "armature"
+"""The value of `dynamics` that URDF has no attribute for."""
+
+
+def take_armatures(robot: Element, notes: Sequence[Element]) -> tuple[Element, Sequence[Element]]:
+    """Return a robot without the armatures in `dynamics`, and its notes with them.
+
+    That of a joint with an actuator becomes the actuator's; for any other joint there is a note,
+    which is the whole `dynamics` with its `joint`. An attribute of XML, a text, is left alone.
+
+    Raises:
+        YamaroError: armatures are negative, or given twice.
+    """
+    drives = {each.attributes["joint"]: each for each in notes if each.name == "actuator"}
+    found: list[Element] = []
+    faults: list[Diagnostic] = []
+    children: list[Node] = []
+    for joint in robot.children:
+        if isinstance(joint, Element) and joint.name == "joint":
+            for index, whole in enumerate(joint.children):
+                value = whole.attributes.get(ARMATURE) if isinstance(whole, Element) else None
+                if not isinstance(whole, Element) or not isinstance(value, Numbers):
+                    continue
+                name = format_value(joint.attributes.get("name"))
+                trace = whole.trace_within(joint.trace_within(None))
+                left = {own: each for own, each in whole.attributes.items() if own != ARMATURE}
+                inner = [*joint.children]
+                inner[index : index + 1] = [with_attributes(whole, left)] if left else []
+                joint = joint.with_children(inner)
+                drive = drives.get(name)
+                faults += _faults_of(whole, value, drive, trace)
+                if not value.values[0]:
+                    continue
+                if drive is None:
+                    spans = {own: whole.value_span(own) for own in whole.attributes}
+                    values = {"joint": name, **whole.attributes}
+                    found.append(RobotNote(whole.name, whole.span, values, [], trace, spans))
+                else:
+                    spans = {own: drive.value_span(own) for own in drive.attributes}
+                    drives[name] = with_attributes(drive, {**drive.attributes, ARMATURE: value})
+                    drives[name].value_spans = {**spans, ARMATURE: whole.value_span(ARMATURE)}
+        children.append(joint)
+    if faults:
+        raise YamaroError(faults)
+    rest = (drives[e.attributes["joint"]] if e.name == "actuator" else e for e in notes)
+    return robot.with_children(children), [*rest, *found]
+
+
+def armature_of(joint: Element) -> Numbers | None:
+    """Return the armature in the `dynamics` of a joint, or None."""
+    values = [each.attributes.get(ARMATURE) for each in joint.elements()]
+    return next((each for each in values if isinstance(each, Numbers)), None)
+
+
+def _faults_of(
+    dynamics: Element, armature: Numbers, drive: Element | None, trace: Frame | None
+) -> list[Diagnostic]:
+    """Return what is wrong with an armature in the `dynamics` of a joint."""
+    span = dynamics.value_span(ARMATURE)
+    if armature.values[0] < 0:
+        return failure(
+            "bad-number",
+            f"'{ARMATURE}' takes a number from 0, and this is {format_value(armature)}",
+            span,
+            hint=f"write {ARMATURE}: 0.01",
+            trace=trace,
+        ).diagnostics
+    if drive is not None and armature.values[0] and ARMATURE in drive.attributes:
+        return failure(
+            "given-twice",
+            "the armature is given twice: by the actuator of the joint, and by its 'dynamics'",
+            span,
+            hint="remove one of the two",
+            notes=[f"first given at {drive.value_span(ARMATURE).place()}"],
+            trace=trace,
+        ).diagnostics
+    return []
 
 
 # --- the XML for one output format ------------------------------------------------------------

@@ -279,6 +279,7 @@ class Overlaid:
         for name, value in record.values.items():
             field, span = thing.fields[name], record.span(name)
             label = thing.name if name == thing.scalar else name
+            self.lowering.has_armatures |= not field.in_urdf
             if field.count == TEXT:
                 word = word_of(label, value, span, owner=key)
                 values[name] = self._joint_named(word), span

@@ -28,6 +28,7 @@ from .notes import (
     lower_joint_words,
     lower_link_words,
     surfaces_in,
+    take_armatures,
     take_notes,
     take_words,
 )
@@ -110,7 +111,7 @@ def lower(
         raise YamaroError(lowering.errors)
     resolve_names(lowering, robot)
     if not lowering.has_words and not has_notes and not overlays:
-        return robot, ()
+        return take_armatures(robot, ()) if lowering.has_armatures else (robot, ())
     from .finish import finish_notes
 
     finish_words(lowering, robot, overlays)
@@ -122,7 +123,7 @@ def lower(
     settle(lowering.errors, None)
     if lowering.errors:
         raise YamaroError(lowering.errors)
-    return robot, notes
+    return take_armatures(robot, notes) if lowering.has_armatures else (robot, notes)
 
 
 def finish_words(lowering: Lowering, robot: Element, overlays: Sequence[Element] = ()) -> None:

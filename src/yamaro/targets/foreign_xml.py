@@ -71,7 +71,7 @@ def foreign_losses(robot: Robot, *, taken: Collection[str] = ()) -> Losses:
 def _is_plain(element: Element) -> bool:
     """Return whether a link, joint or material has nothing but what URDF has."""
     rule = ELEMENTS[element.name]
-    if not element.attributes.keys() <= rule.fields.keys():
+    if not element.attributes.keys() <= rule.attributes.keys():
         return False
     known = rule.children
     for child in element.children:
@@ -111,7 +111,7 @@ class _Walk:
         before = len(self.losses)
         rule = ELEMENTS[element.name]
         for name in element.attributes:
-            if name not in rule.fields and element.attributes[name] is not None:
+            if name not in rule.attributes and element.attributes[name] is not None:
                 what = f"attributes '{name}' of <{element.name}>"
                 self.losses.lose_xml(what, element, label=owner, trace=trace, field=name)
         for child in element.elements():

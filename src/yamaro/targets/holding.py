@@ -144,6 +144,10 @@ ROWS: dict[str, tuple[Cell, Cell, Cell, Cell]] = {
     },
     "dynamics.damping": ("damping", "damping", "damping", "newton:damping"),
     "dynamics.friction": ("friction", "friction", "frictionloss", "newton:friction"),
+    "dynamics.armature": (
+        *(_lost("armatures of joints"), _lost("armatures of joints")),
+        *("armature", "newton:armature"),
+    ),
     "mimic.joint": ("joint", "joint", "joint1", "newton:mimicJoint"),
     "mimic.multiplier": ("multiplier", "multiplier", "polycoef", "newton:mimicCoef1"),
     "mimic.offset": ("offset", "offset", "polycoef", "newton:mimicCoef0"),
@@ -337,6 +341,9 @@ def lost_of_joints(
                 if dynamics.damping or dynamics.friction:
                     what = f"damping and friction of {joint.type} joints"
                     found.lose(what, joint, part=dynamics)
+                if dynamics.armature:
+                    what = f"armatures of {joint.type} joints"
+                    found.lose(what, joint, part=dynamics, field="armature")
         if mimic is not None and leader_of(robot, joint) is None:
             found.lose("mimic joints that cannot follow another joint", joint, part=mimic)
         elif mimic is not None and not has_mimic:

@@ -3,8 +3,7 @@
 Ball joints and springs are read from MJCF and SDF into blocks, since URDF has neither, and so is
 from MJCF an equality of two joints that are both driven, which in the model none of them can be.
 Such a block is made one for the other format, which its writer takes as if it had been read from
-there. USD has no blocks: what it has too are values here, and so are armatures of joints without an
-actuator.
+there. USD has no blocks: what it has too are values here.
 
 A universal joint of SDF turns about its first axis, then about its second one: two hinges of MJCF.
 A screw is a hinge and a slide that an equality holds together.
@@ -63,20 +62,18 @@ class Translation:
     """The blocks of a robot for a format, with those for another one that say what it has too.
 
     Attributes:
-        armatures: for USD, those of joints without an actuator, in kg·m² or kg, by name.
         blocks: the blocks.
         couplings: for SDF and USD, the equalities of joints that the model has not.
         taken: the identities of elements in blocks for another format that nothing is lost of.
         screws: the blocks of screws, which the format has approximately.
     """
 
-    __slots__ = ("_robot", "armatures", "blocks", "couplings", "screws", "taken")
+    __slots__ = ("_robot", "blocks", "couplings", "screws", "taken")
 
     def __init__(self, robot: Robot, format: str) -> None:
         self._robot = robot
         self.blocks = robot.raw(format)
         self.taken: set[int] = set()
-        self.armatures: dict[str, float] = {}
         self.couplings: list[Coupling] = []
         self.screws: list[RawXml] = []
         if format not in ("mjcf", "sdf", "usd"):
@@ -86,7 +83,6 @@ class Translation:
                 self.blocks += self._ball_for_sdf(raw) if raw.link else self._spring_for_sdf(raw)
                 self.couplings += self._couplings(raw)
             elif format == "usd" and raw.format == "mjcf":
-                self._take_armature(raw)
                 self.couplings += self._couplings(raw)
             elif format == "mjcf" and raw.format == "sdf" and raw.joint:
                 self.blocks += self._joint_for_mjcf(raw, raw.joint)
@@ -133,16 +129,6 @@ class Translation:
         values = [_leaf(SPRINGS[name], content(each), each.span) for name, each in given.items()]
         axis = Element("axis", span, children=[Element("dynamics", span, children=[*values])])
         return [_block("sdf", span, [axis], joint=raw.joint)]
-
-    def _take_armature(self, raw: RawXml) -> None:
-        joint = self._robot.joints.get(raw.joint or "")
-        if joint is None or joint.type not in SINGLE or joint.name in self._robot.actuators:
-            return
-        for each in raw.elements:
-            values = numbers_in(content(each))
-            if each.name == "armature" and len(values) == 1:
-                self.armatures[joint.name] = values[0]
-                self.taken.add(id(each))
 
     def _couplings(self, raw: RawXml) -> Iterator[Coupling]:
         """Yield the linear equalities of two joints that no `mimic` says."""

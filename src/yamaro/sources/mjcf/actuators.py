@@ -19,7 +19,6 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
-    from ...source import Span
     from .building import Builder
     from .classes import Given
     from .tree import Context, Thing
@@ -280,7 +279,7 @@ class Drives:
             found.append(element)
         return found
 
-    def notes(self, builder: Builder, armatures: Mapping[str, tuple[float, Span]]) -> None:
+    def notes(self, builder: Builder) -> None:
         """Add the actuators that the model has, in the order of the document."""
         for thing, drive in self.all:
             if drive is None or not drive.is_noted or drive.law is None:
@@ -301,8 +300,6 @@ class Drives:
             for name in ("kp", "kd"):
                 written = "kv" if name == "kd" else "kp"
                 places[name] = thing.where(written)
-            if drive.joint in armatures:
-                values["armature"], places["armature"] = armatures[drive.joint]
             delay = number(thing.given, "delay", 0.0)
             if delay > 0:
                 values["delay"], places["delay"] = delay, thing.where("delay")

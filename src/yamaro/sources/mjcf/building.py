@@ -75,7 +75,6 @@ class Builder:
         drives: the actuators.
         mimics: the joints that follow others, by name.
         equalities: what is kept of all equalities.
-        armatures: those of joints that the model has in an actuator, by the joint's name.
         limits: the positions that joints can have, by name.
         joint_names: of the elements of joints, by identity.
         sites: the link and the frame of each site, by name.
@@ -124,7 +123,6 @@ class Builder:
             self.drives.name_all()  # by which the keyframes say their controls
         driven = {name for name in kinds if self.drives.noted(name) is not None}
         self.mimics, self.equalities = read_mimics(contexts, kinds, refs, driven)
-        self.armatures: dict[str, tuple[float, Span]] = {}
         self.limits: dict[str, tuple[float, float]] = {}
         self.joint_names: dict[int, str] = {}
         self.sites: dict[str, tuple[str, str]] = {}
@@ -157,7 +155,7 @@ class Builder:
                 mass = None
             self._add_link(body, self._inertial(body, mass) if mass is not None else None)
             pending += [(body, child) for child in reversed(body.bodies)]
-        self.drives.notes(self, self.armatures)
+        self.drives.notes(self)
         add_sections(self)
         for link in self.links:
             inner = self.inner.get(str(link.attributes["name"]))

@@ -11,7 +11,7 @@ from ...model.joint import CONTINUOUS, FLOATING, PRISMATIC, REVOLUTE
 from ...model.making import Place, element
 from ...model.pose import IDENTITY, UNTURNED, ZERO, Pose, rotate, rotation_about
 from .blocks import block, in_radians, kept, row, setting
-from .compiler import chosen, fault, number, numbers, unit_axis, vector
+from .compiler import chosen, fault, numbers, unit_axis, vector
 from .tree import type_of
 
 TYPE_CHECKING = False
@@ -169,8 +169,6 @@ def _add(
     for key, (value, span) in given.items():
         if key in ("ref", "springref", "springyield"):
             extras.append(setting(key, row(map(angle, numbers(given, key) or ())), span))
-        elif key == "armature" and builder.drives.noted(name) is not None:
-            builder.armatures[name] = (number(given, key, 0.0), span)
         elif key not in HELD and key not in _ELSEWHERE:
             extras.append(setting(key, value, span))
     place = Place(thing.span, {"name": thing.name_span})
@@ -198,8 +196,8 @@ ROUNDING = 1e-9
 """How far forces may be off that are the same."""
 _ELSEWHERE = frozenset(
     (
-        "damping", "frictionloss", "actuatorfrcrange", "actuatorfrclimited", "ref", "springref",
-        "springyield",
+        "armature", "damping", "frictionloss", "actuatorfrcrange", "actuatorfrclimited", "ref",
+        "springref", "springyield",
     )
 )  # fmt: skip
 
@@ -250,10 +248,11 @@ def _limit(
 
 
 def _dynamics(thing: Placed, extras: list[Node]) -> list[Element]:
-    """Return the damping and friction of a joint, if any; append what they do not hold."""
+    """Return the damping, friction and armature of a joint; append what they do not hold."""
     values: dict[str, float] = {}
     places: dict[str, Span] = {}
-    for name, attribute in (("damping", "damping"), ("friction", "frictionloss")):
+    names = {"damping": "damping", "friction": "frictionloss", "armature": "armature"}
+    for name, attribute in names.items():
         found = numbers(thing.given, attribute, 1, 3)
         if found is None:
             continue

@@ -9,6 +9,7 @@ from .model import JOINT, Places, Writing, pose_attributes, quiet
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from ...model.extras import Actuator
     from ...model.joint import Joint
     from ...model.pose import Vector
     from ...model.positions import Position
@@ -67,17 +68,13 @@ def _single(writing: Writing, joint: Joint, place: Pose) -> Element:
             writing.losses.approximate("limits that leave no room", joint, part=limit, how=how)
         if limit.effort is not None and limit.effort <= 0:
             writing.losses.lose("effort limits that are not greater than 0", joint, part=limit)
-    actuator = writing.robot.actuators.get(joint.name)
-    if actuator is not None:
-        places["armature"] = (actuator, "armature")
     attributes: Attributes = {
         "name": writing.joint_name(joint.name),
         "type": TYPES[joint.type] if joint.type == PRISMATIC else None,
         "pos": pose_attributes(place)["pos"],
         "axis": _turned(place, joint.axis),
         "range": ends if limit is not None else None,
-        **_dynamics(joint, places),
-        "armature": actuator.armature or None if actuator is not None else None,
+        **_dynamics(joint, places, writing.robot.actuators.get(joint.name)),
         "actuatorfrcrange": (-effort, effort) if effort is not None else None,
     }
     writing.motions[writing.joint_name(joint.name)] = (joint.name, "single")
@@ -113,17 +110,17 @@ def effort_of(joint: Joint) -> float | None:
     return effort if effort is not None and 0 < effort < UNLIMITED else None
 
 
-def _dynamics(joint: Joint, places: Sources) -> Attributes:
-    """Return the damping and the friction of a joint, where there are any."""
+def _dynamics(joint: Joint, places: Sources, actuator: Actuator | None = None) -> Attributes:
+    """Return the damping, friction and armature of a joint, as far as there are any."""
     dynamics = joint.dynamics
-    if dynamics is None:
-        return {}
-    places["damping"] = (dynamics, "damping")
-    places["frictionloss"] = (dynamics, "friction")
-    return {
-        "damping": dynamics.damping or None,
-        "frictionloss": dynamics.friction or None,
-    }
+    found: Attributes = {}
+    if dynamics is not None:
+        names = {"damping": "damping", "frictionloss": "friction", "armature": "armature"}
+        places |= {name: (dynamics, own) for name, own in names.items()}
+        found = {name: getattr(dynamics, own) or None for name, own in names.items()}
+    if actuator is not None and actuator.armature:
+        places["armature"], found["armature"] = (actuator, "armature"), actuator.armature
+    return found
 
 
 # --- joints of several numbers ------------------------------------------------------------------

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ...diagnostics import Reporter
 from ..gains import POSITION
-from ..holding import cones, lost_sections, lost_values
+from ..holding import cones, lost_fields, lost_sections, lost_values
 from ..losses import Losses
 from ..output import Output
 from .gazebo import with_gazebo
@@ -46,6 +46,10 @@ def write(robot: Robot, wanted: Wanted) -> Output:
             losses.approximate("sensors", sensor, how="their frames", hint=GAZEBO_HINT)
         for surface in robot.surfaces:
             losses.lose("surfaces", surface, hint=GAZEBO_HINT)
+    for joint in robot.joints.values():
+        if joint.dynamics is not None and joint.dynamics.armature:
+            what = lost_fields("urdf", "dynamics")["armature"].what
+            losses.lose(what, joint, part=joint.dynamics, field="armature")
     driven = {joint for control in robot.controls for joint in control.joints}
     geared = {
         joint for control in robot.controls for joint in control.joints if control.has_transmissions

@@ -204,7 +204,7 @@ class JointWriter:
         actuator = self._robot.actuators.get(joint.name)
         is_linear = joint.type == PRISMATIC
         unit = 1.0 if is_linear else degrees(1)
-        armature = self._translation.armatures.get(joint.name)
+        armature = dynamics.armature or None if dynamics is not None else None
         armature = actuator.armature if actuator is not None else armature
         damping = dynamics.damping / unit if dynamics is not None else None
         friction = dynamics.friction if dynamics is not None else None
@@ -279,6 +279,7 @@ class JointWriter:
             found["friction"] = friction
             found["staticFrictionEffort"] = found["dynamicFrictionEffort"] = friction
             found["viscousFrictionCoefficient"] = dynamics.span_of("damping")
+            found["armature"] = dynamics.span_of("armature")
         if joint.mimic is not None:
             found["mimicCoef0"] = joint.mimic.span_of("offset")
             found["mimicCoef1"] = joint.mimic.span_of("multiplier")

@@ -6,6 +6,7 @@ the rows of the schema. A comparison shows whether it says all.
 
 from __future__ import annotations
 
+from ...model.reading import DYNAMICS
 from ...model.schema import ACTUATOR, ELEMENTS, RECORDS, TEXT
 from ...xml.values import format_value
 
@@ -14,8 +15,9 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
     from ...model.extras import Actuator
+    from ...model.joint import Joint
     from ...model.robot import Robot
-    from ...xml.tree import Element
+    from ...xml.tree import Element, Node
 
     Said = dict[str, "str | Said"]
 
@@ -37,7 +39,7 @@ def overlay_between(first: Robot, second: Robot, renamed: Mapping[tuple[str, str
     for name, joint in first.joints.items():
         other = second.joints.get(renamed.get(("joint", name), name))
         if other is not None:
-            said = _joint(joint.element, other.element)
+            said = _joint(joint, other)
             actuator = _actuator(first.actuators.get(name), second.actuators.get(other.name))
             if actuator:
                 said["actuator"] = actuator
@@ -58,7 +60,8 @@ def overlay_between(first: Robot, second: Robot, renamed: Mapping[tuple[str, str
     return overlay
 
 
-def _joint(one: Element, other: Element) -> Said:
+def _joint(first: Joint, second: Joint) -> Said:
+    one, other = (_with_dynamics(each) for each in (first, second))
     said: Said = {}
     kinds = [format_value(each.attributes.get("type")) for each in (one, other)]
     if kinds[0] != kinds[1]:
@@ -69,6 +72,15 @@ def _joint(one: Element, other: Element) -> Said:
         if values:
             said[name] = values
     return said
+
+
+def _with_dynamics(joint: Joint) -> Element:
+    """Return the element of a joint with all of its `dynamics`, also what URDF does not have."""
+    element, dynamics = joint.element, joint.dynamics
+    if dynamics is None or not dynamics.armature:
+        return element
+    rest: list[Node] = [each for each in element.children if each is not _child(element, DYNAMICS)]
+    return element.with_children([*rest, dynamics.element])
 
 
 def _link(one: Element, other: Element) -> Said:

@@ -222,7 +222,7 @@ class XmlCompletion:
                             ranks[each.name] = "2" if has_default else "1"
         else:
             rule = ELEMENTS.get(tag)
-            for field in rule.fields if rule is not None else ():
+            for field in rule.attributes if rule is not None else ():
                 known[field] = about(tag, field) or ""
         for label, detail in known.items():
             if label not in given:
@@ -234,7 +234,7 @@ class XmlCompletion:
 
     def _value(self, tag: str, attribute: str, typed: str) -> None:
         rule = ELEMENTS.get(tag)
-        field = rule.fields.get(attribute) if rule is not None else None
+        field = rule.attributes.get(attribute) if rule is not None else None
         for word in (field.choices if field is not None else ()) or ():
             self._items.add(word, "enum", rank="1")
         for word in _VALUES.get((tag, attribute), ()):

@@ -84,7 +84,7 @@ def _sorted_notes(root: Element, notes: Sequence[Element]) -> dict[str, Element]
                     blocks.setdefault((values["format"], *home), []).append(each)
             continue
         key = f"{note.name} '{name_of(note)}'" if name_of(note) else note.name
-        if note.name in ("actuator", "surface"):
+        if note.name in ("actuator", "dynamics", "surface"):
             key = f"{note.name} of {home[0]} '{home[1]}'"
             key += f", collision {values['index']}" if note.name == "surface" else ""
         note = _without(note, "of")  # the format whose blocks have it as well

@@ -13,6 +13,7 @@ from ...model.schema import ACTUATOR, OF_MOTOR, SENSOR, SENSORS, SURFACE
 from ...model.values import shape_name, values_of
 from ...robot.extras import OPTICAL
 from ...xml.tree import Element
+from ...xml.values import format_value
 from .document import RECORD_WIDTH, Body, Entry, Flow
 from .elements import child_of, has_text, is_short, name_of
 from .formulas import TURNING
@@ -159,6 +160,8 @@ class Notes:
             values = values_of(note)
             if note.name == "surface":
                 self._surfaces[values["link"], int(values["index"])] = note
+            elif note.name == "dynamics":
+                self._put_back(note)
             elif note.name == "raw-block":
                 blocks = self._blocks.setdefault(home_of(note), {})
                 blocks.setdefault(values["format"], []).extend(note.elements())
@@ -208,6 +211,17 @@ class Notes:
                     if section.name == "collision":
                         self._sections[id(section)] = name_of(child), index
                         index += 1
+
+    def _put_back(self, note: Element) -> None:
+        """Put the whole `dynamics` of a joint back in its place."""
+        values = {name: value for name, value in note.attributes.items() if name != "joint"}
+        owner = values_of(note)["joint"]
+        joint = next(each for each in self._joints.values() if name_of(each) == owner)
+        known = next((each for each in joint.elements() if each.name == note.name), None)
+        if known is None:
+            known = Element(note.name, note.span)
+            joint.children.append(known)
+        known.attributes = {name: format_value(value) for name, value in values.items()}
 
     def _settle_frames(self, frames: Mapping[tuple[str, str], str]) -> None:
         """Let a block of a link that is about a site be one of the frame that the site is."""

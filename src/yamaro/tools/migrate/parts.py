@@ -21,7 +21,7 @@ from .spelling import QUATERNION
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Mapping, Sequence
+    from collections.abc import Callable, Iterable, Mapping, Sequence, Set
 
 
 # --- geometry, poses, materials and inertials in short ----------------------------------------
@@ -572,7 +572,7 @@ class PartWriter:
         if child.name == "limit" and not is_whole_limit(attributes, kind):
             return self._element(child)
         # An attribute that URDF does not have would be a misspelt key.
-        if child.name in RECORDS and attributes.keys() <= ELEMENTS[child.name].fields.keys():
+        if child.name in RECORDS and attributes.keys() <= self._known_of(child.name):
             if not self._exact and child.name != "mimic":
                 degrees = self._degrees
                 attributes = {
@@ -581,6 +581,10 @@ class PartWriter:
             entries = [Entry(key, value) for key, value in attributes.items()]
             return Entry(child.name, Body(entries, in_braces=True, width=RECORD_WIDTH))
         return self._element(child)
+
+    def _known_of(self, name: str) -> Set[str]:
+        """Return the attributes of an element of a joint that are keys of the language."""
+        return ELEMENTS[name].attributes.keys()
 
     # --- links ----------------------------------------------------------------------------------
 

@@ -13,6 +13,7 @@ from ...codes import ADJUSTABLE
 from ...diagnostics import ERROR, YamaroError
 from ...files.loader import FileLoader
 from ...model.compare import compare, is_used, prefixes_in
+from ...model.schema import ELEMENTS
 from ...model.shapes import SIMPLE_SHAPES, SIZES
 from ...model.values import values_of
 from ...options import Options
@@ -464,6 +465,9 @@ class RobotParts(PartWriter):
 
     def _words_of_joint(self, joint: Element) -> list[Entry]:
         return self._words.in_joint(joint)
+
+    def _known_of(self, name: str) -> Set[str]:
+        return ELEMENTS[name].fields.keys()
 
     def _words_of_section(self, section: Element) -> list[Entry]:
         return self._words.in_section(section)
