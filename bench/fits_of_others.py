@@ -1,21 +1,25 @@
 """Compares shapes that Yamaro works out from meshes with those of other tools, at equal count.
 
-    python bench/fits_of_others.py [--foam FOLDER] [--count N] MESH ...
+    python bench/fits_of_others.py [--foam FOLDER] [--count N] [--tools GLOB] MESH ...
 
 One shape: scikit-robot's `fit_primitive_to_mesh` and trimesh's bounding primitive. N spheres: foam,
-built in FOLDER. At most 16 convex pieces: coacd as onshape-to-robot calls it. For each the table
-has the pieces, the greatest distance between the surfaces, how far the mesh is outside, and the
-excess of volume, by `bench/shapes.py`. Tools that are not installed are left out.
+built in FOLDER. N convex pieces: coacd. At most 16 of them: onshape-to-robot, whose processor gets
+a robot of one part, as it would come from Onshape. For each the table has the pieces, the greatest
+distance between the surfaces, how far the mesh is outside, and the excess of volume, by
+`bench/shapes.py`. Tools that are not installed are left out.
 """
 
 from __future__ import annotations
 
 import argparse
 import io
+import json
 import os
 import sys
+import tempfile
 from collections.abc import Callable, Iterator
 from contextlib import redirect_stdout
+from fnmatch import fnmatchcase
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -29,7 +33,7 @@ from yamaro.meshes.triangles import TriangleMesh
 from yamaro.model.pose import rotation_from_rpy
 
 PIECES = 16
-"""What onshape-to-robot asks coacd for."""
+"""What onshape-to-robot asks coacd for, at most."""
 FOAM = {  # the values of scripts/generate_spheres.py
     "depth": 1, "method": "medial", "testerLevels": 2, "numCover": 5000, "minCover": 5,
     "initSpheres": 1000, "minSpheres": 200, "erFact": 2, "expand": True, "merge": True,
@@ -94,13 +98,37 @@ def bounding(mesh: Any) -> list[Piece]:
             else Piece(found.to_mesh())]  # fmt: skip
 
 
-def coacd(mesh: Any) -> list[Piece]:
-    """Return the pieces of onshape-to-robot."""
+def coacd(mesh: Any, count: int) -> list[Piece]:
+    """Return the pieces of coacd."""
     import coacd as library
 
     library.set_log_level("error")
-    parts = library.run_coacd(library.Mesh(mesh.vertices, mesh.faces), max_convex_hull=PIECES)
+    parts = library.run_coacd(library.Mesh(mesh.vertices, mesh.faces), max_convex_hull=count)
     return [Piece(trimesh.Trimesh(*part)) for part in parts]
+
+
+def onshape_to_robot(mesh: Any) -> list[Piece]:
+    """Return the pieces of onshape-to-robot, without what it keeps from earlier runs."""
+    from onshape_to_robot.config import Config
+    from onshape_to_robot.geometry import Mesh
+    from onshape_to_robot.processor_convex_decomposition import ProcessorConvexDecomposition
+    from onshape_to_robot.robot import Link, Part, Robot
+
+    with tempfile.TemporaryDirectory() as name:
+        file, settings = Path(name) / "mesh.stl", Path(name) / "config.json"
+        mesh.export(file)
+        asked = {"document_id": "none", "output_format": "urdf", "processors": []}
+        settings.write_text(json.dumps({**asked, "convex_decomposition": True}))
+        part = Part("mesh", np.eye(4), 1.0, np.zeros(3), np.eye(3), [Mesh(str(file))])
+        robot, link = Robot("robot"), Link("link")
+        link.parts.append(part)
+        robot.links.append(link)
+        home, os.environ["HOME"] = os.environ.get("HOME", ""), name
+        try:
+            ProcessorConvexDecomposition(Config(name)).process(robot)
+        finally:
+            os.environ["HOME"] = home
+        return [Piece(trimesh.load(each.filename)) for each in part.meshes if each.collision]
 
 
 def foam(mesh: Any, count: int) -> list[Piece]:
@@ -122,6 +150,7 @@ def main() -> None:
     parser.add_argument("meshes", nargs="+", type=Path)
     parser.add_argument("--foam", type=Path)
     parser.add_argument("--count", type=int, default=8)
+    parser.add_argument("--tools", default="*", help="only these rows")
     options = parser.parse_args()
     if options.foam is not None:
         sys.path.append(str(options.foam))
@@ -143,9 +172,12 @@ def main() -> None:
         )
         if options.foam is not None:
             yield f"foam, {count} spheres", lambda mesh: foam(mesh, count)
-        yield f"`decompose: {PIECES}`", lambda mesh: ours(mesh, word="decompose", count=PIECES)
+        yield f"`decompose: {count}`", lambda mesh: ours(mesh, word="decompose", count=count)
         if find_spec("coacd"):
-            yield "onshape-to-robot", coacd
+            yield f"coacd, {count} pieces", lambda mesh: coacd(mesh, count)
+        yield f"`decompose: {PIECES}`", lambda mesh: ours(mesh, word="decompose", count=PIECES)
+        if find_spec("onshape_to_robot"):
+            yield "onshape-to-robot", onshape_to_robot
 
     print("| mesh | shapes of | pieces | distance | outside | excess of volume | CPU |")
     print("|---|---|--:|--:|--:|--:|--:|")
@@ -154,6 +186,8 @@ def main() -> None:
         mesh.merge_vertices()
         points = trimesh.sample.sample_surface(mesh, 5 * ON_MESH, seed=1)[0]
         for name, tool in tools():
+            if not fnmatchcase(name, options.tools):
+                continue
             begun = os.times()
             try:
                 with redirect_stdout(sys.stderr):

@@ -14,36 +14,22 @@ from __future__ import annotations
 
 import sys
 import tempfile
-import time
 from itertools import combinations
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
 import fcl
-import mujoco
 import numpy as np
 import trimesh
+from shapes import cost, pose_of
 
 from yamaro.commands.main import main as yamaro
 
 STATES = 10_000
 ENOUGH = 50
 """At so many positions a pair touches if no more are looked at, and it does not at some."""
-POSITIONS = 300
-STEPS = 500
 Pair = tuple[str, str]
-
-
-def pose_of(element: ElementTree.Element) -> Any:
-    """Return the pose of the `<origin>` in an element."""
-    origin = element.find("origin")
-    place = np.eye(4)
-    if origin is not None:
-        rpy, xyz = ([*map(float, origin.get(n, "0 0 0").split())] for n in ("rpy", "xyz"))
-        place = trimesh.transformations.euler_matrix(*rpy, "sxyz")
-        place[:3, 3] = xyz
-    return place
 
 
 class Judge:
@@ -171,43 +157,6 @@ def disabled(robot: Path, folder: Path) -> dict[Pair, str]:
         pair_of(each.attrib["link1"], each.attrib["link2"]): each.attrib["reason"]
         for each in ElementTree.parse(written).getroot().iter("disable_collisions")
     }
-
-
-def cost(robot: Path, folder: Path) -> tuple[float, float, float]:
-    """Return milliseconds of `mj_collision`, contacts at a position, and steps in a second."""
-    document = folder / "robot.xml"
-    assert (
-        yamaro(
-            [
-                "-q",
-                str(robot),
-                "--to",
-                "mjcf",
-                "--base",
-                "fixed",
-                "-o",
-                str(document),
-            ]
-        )
-        == 0
-    )
-    model = mujoco.MjModel.from_xml_path(str(document))
-    data = mujoco.MjData(model)
-    random, seconds, found = np.random.default_rng(1), [], 0
-    low, high = np.where(model.jnt_limited[:, None], model.jnt_range, (-np.pi, np.pi)).T
-    for _ in range(POSITIONS):
-        data.qpos[:] = low + random.random(model.nq) * (high - low)
-        mujoco.mj_kinematics(model, data)
-        mujoco.mj_comPos(model, data)
-        begun = time.thread_time()
-        mujoco.mj_collision(model, data)
-        seconds.append(time.thread_time() - begun)
-        found += data.ncon
-    mujoco.mj_resetData(model, data)
-    begun = time.thread_time()
-    for _ in range(STEPS):
-        mujoco.mj_step(model, data)
-    return 1000 * float(np.median(seconds)), found / POSITIONS, STEPS / (time.thread_time() - begun)
 
 
 def main(before: Path, after: list[Path]) -> None:

@@ -5,8 +5,9 @@
 ROBOT.urdf is a robot that collides with meshes, and each of WORDS an option of `yamaro fit` such as
 `shape=hull`, `shape=best,cover`, `decompose=8` or `spheres=24`. For each link and each of them the
 table has the number of pieces, the greatest distance between the surfaces and the excess of volume.
-Then follows the time of `mj_collision` and the number of contacts at random positions, with the
-meshes, which MuJoCo takes as their hulls, and with the shapes. Needs trimesh, rtree and mujoco.
+Then follow the time of `mj_collision` and the number of contacts at random positions, and steps in
+a second, with the meshes, which MuJoCo takes as their hulls, and with the shapes. Needs trimesh,
+rtree and mujoco.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ from yamaro.commands.main import main as yamaro
 WORDS = ("shape=best", "shape=hull", "decompose=8", "spheres=8")
 ON_MESH, ON_PIECES, IN_BOX = 2000, 8000, 60_000
 """How many points are spread over the mesh and over the pieces, and in the box around both."""
-POSITIONS = 200
+POSITIONS, STEPS = 300, 500
 
 
 class Piece:
@@ -53,19 +54,22 @@ class Piece:
         )
 
 
+def pose_of(element: ElementTree.Element) -> Any:
+    """Return the pose of the `<origin>` in an element of URDF."""
+    origin = element.find("origin")
+    place = np.eye(4)
+    if origin is not None:
+        rpy, xyz = ([*map(float, origin.get(n, "0 0 0").split())] for n in ("rpy", "xyz"))
+        place = trimesh.transformations.euler_matrix(*rpy, "sxyz")
+        place[:3, 3] = xyz
+    return place
+
+
 def pieces_of(link: ElementTree.Element, folder: Path) -> list[Piece]:
     """Return the collisions of a link in URDF, in its frame."""
     found = []
     for collision in link.iter("collision"):
-        origin = collision.find("origin")
-        place = np.eye(4)
-        if origin is not None:
-            rpy, xyz = (
-                [float(each) for each in origin.get(name, "0 0 0").split()]
-                for name in ("rpy", "xyz")
-            )
-            place = trimesh.transformations.euler_matrix(*rpy, "sxyz")
-            place[:3, 3] = xyz
+        place = pose_of(collision)
         geometry = collision.find("geometry")
         assert geometry is not None
         shape, depth = geometry[0], None
@@ -123,8 +127,8 @@ def measured(mesh: Any, pieces: list[Piece]) -> tuple[float, float]:
     return distance, volume / mesh.volume - 1 if mesh.is_watertight else float("nan")
 
 
-def contacts(robot: Path, folder: Path) -> tuple[float, float]:
-    """Return the milliseconds that MuJoCo needs for collisions, and how many contacts it finds."""
+def cost(robot: Path, folder: Path) -> tuple[float, float, float]:
+    """Return milliseconds of `mj_collision`, contacts at a position, and steps in a second."""
     document = folder / "robot.xml"
     assert yamaro(["-q", str(robot), "--to", "mjcf", "--base", "fixed", "-o", str(document)]) == 0
     model = mujoco.MjModel.from_xml_path(str(document))
@@ -135,11 +139,15 @@ def contacts(robot: Path, folder: Path) -> tuple[float, float]:
         data.qpos[:] = low + random.random(model.nq) * (high - low)
         mujoco.mj_kinematics(model, data)
         mujoco.mj_comPos(model, data)
-        begun = time.perf_counter()
+        begun = time.thread_time()
         mujoco.mj_collision(model, data)
-        seconds.append(time.perf_counter() - begun)
+        seconds.append(time.thread_time() - begun)
         found += data.ncon
-    return 1000 * float(np.median(seconds)), found / POSITIONS
+    mujoco.mj_resetData(model, data)
+    begun = time.thread_time()
+    for _ in range(STEPS):
+        mujoco.mj_step(model, data)
+    return 1000 * float(np.median(seconds)), found / POSITIONS, STEPS / (time.thread_time() - begun)
 
 
 def main() -> None:
@@ -158,7 +166,7 @@ def main() -> None:
     print("|---|---|---|---|---|---|---|")
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        costs.append(("meshes", 0.0, *contacts(options.robot, folder)))
+        costs.append(("meshes", 0.0, *cost(options.robot, folder)))
         for word in options.words:
             shutil.rmtree(folder / "fit", ignore_errors=True)
             fitted = folder / "fit" / "robot.urdf"
@@ -185,10 +193,12 @@ def main() -> None:
                     f"| {more} |",
                     flush=True,
                 )
-            costs.append((word, seconds, *contacts(fitted, folder)))
-    print("\n| shapes | worked out in | `mj_collision` | contacts |\n|---|---|---|---|")
-    for word, seconds, milliseconds, count in costs:
-        print(f"| `{word}` | {seconds:.1f} s | {milliseconds:.3f} ms | {count:.1f} |")
+            costs.append((word, seconds, *cost(fitted, folder)))
+    print(
+        "\n| shapes | worked out in | `mj_collision` | contacts | steps/s |\n|---|---|---|---|---|"
+    )
+    for word, seconds, milliseconds, count, steps in costs:
+        print(f"| `{word}` | {seconds:.1f} s | {milliseconds:.3f} ms | {count:.1f} | {steps:.0f} |")
 
 
 if __name__ == "__main__":

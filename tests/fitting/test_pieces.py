@@ -153,6 +153,14 @@ def test_one_sphere_is_the_ball_and_spheres_in_a_row_are_found_again() -> None:
     assert [radius for _, radius in found] == pytest.approx([1, 1, 1], rel=0.03)
 
 
+def test_spheres_stay_in_an_open_end() -> None:
+    body = creation.cylinder(1.0, 1.2, sections=48)
+    body.update_faces(body.face_normals[:, 2] < 0.9)
+    found = spheres_of(mesh_of(body), 6, cover=False)
+    assert max(center[2] + radius for center, radius in found) < 0.6 + 0.2
+    assert min(center[2] - radius for center, radius in found) > -0.6 - 0.2
+
+
 def test_a_lighter_mesh_is_near_the_first_one_or_has_more_triangles() -> None:
     body = turned(creation.torus(1.0, 0.3, major_sections=64, minor_sections=32), seed=5)
     for most in (300, 2000):

@@ -147,8 +147,8 @@ class Solid:
     """
 
     __slots__ = (
-        "_is_inside", "_low", "_normals", "_spacing", "_step", "_tree", "cell", "depths", "inner",
-        "points", "size", "triangles",
+        "_is_inside", "_low", "_normals", "_openings", "_spacing", "_step", "_tree", "cell",
+        "depths", "inner", "points", "size", "triangles",
     )  # fmt: skip
 
     def __init__(self, points: Floats, triangles: Whole) -> None:
@@ -182,6 +182,10 @@ class Solid:
         self.points = np.concatenate([samples, used[:: len(used) // MOST_CORNERS + 1]])
         self.triangles: Floats = points[triangles]
         self._is_inside = (np.round(turns, 6) > 0.5).reshape(grid.shape[:3])
+        self._openings: cKDTree | None = None
+        openings = self._openings_between(np.pad(self._is_inside, 1))
+        if len(openings):
+            self._openings = cKDTree(openings)
         depths = -self.distances(places)
         is_deep = depths > 0
         self.inner, self.depths = places[is_deep], depths[is_deep]
@@ -190,8 +194,22 @@ class Solid:
             self.cell = 0.0
             self.inner, self.depths = samples, np.zeros(len(samples))
 
+    def _openings_between(self, is_inside: NDArray[np.bool_]) -> Floats:
+        """Return places where the inside ends without a surface, as at the end of an open tube."""
+        found = []
+        for axis in range(3):
+            ends = np.argwhere(np.diff(is_inside, axis=axis)) - 1.0
+            ends[:, axis] += 0.5
+            found.append(self._low + self._step * ends)
+        places = np.concatenate(found)
+        far: Floats = places[self._tree.query(places)[0] > max(self._step, 2 * self._spacing)]
+        return far
+
     def distances(self, places: Floats) -> Floats:
-        """Return the signed distances of places, N×3, to the surface, negative inside."""
+        """Return the signed distances of places, N×3, to the surface, negative inside.
+
+        Where the mesh is open, the surface goes across the opening.
+        """
         apart, nearest = self._tree.query(places, k=3)
         ahead = places[:, None] - self._tree.data[nearest]
         facing = np.einsum("ijk,ijk->ij", ahead, self._normals[nearest])
@@ -205,6 +223,8 @@ class Solid:
         # A sample is up to its spacing aside of the nearest point: the height over it is nearer.
         height = np.minimum(np.abs(facing[:, 0]), apart[:, 0])
         near = np.where(apart[:, 0] < 2 * self._spacing, height, apart[:, 0])
+        if self._openings is not None:
+            near = np.minimum(near, self._openings.query(places)[0])
         found: Floats = np.where(outside, near, -near)
         return found
 

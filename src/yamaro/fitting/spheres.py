@@ -176,14 +176,16 @@ DIRECTIONS = _ball(40)
 
 
 def _divided(solid: Solid, count: int) -> Spheres:
-    """Return spheres made of one, each time by two in place of the one that reaches out most."""
+    """Return spheres made of one, each time by two in place of one that reaches out much."""
     found = _improved(solid, *_begin(solid, 1))
-    while len(found.centers) < count:
-        worst = int(found.outside.argmax())
-        size = len(found.centers)
-        found = _improved(solid, *_halved(solid, found, worst, size))
-        if len(found.centers) <= size:
+    while (size := len(found.centers)) < count:
+        for worst in np.argsort(-np.round(found.outside / solid.size, DIGITS), kind="stable")[:4]:
+            more = _improved(solid, *_halved(solid, found, int(worst), size))
+            if len(more.centers) > size:
+                break
+        else:
             break
+        found = more
     return found
 
 
