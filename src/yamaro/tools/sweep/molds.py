@@ -13,7 +13,8 @@ left to be computed here.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
 from typing import Any
 
 from .plan import import_extra
@@ -35,6 +36,8 @@ FREE = (
     "_pos", "_ipos", "_qpos", "_qvel", "_ctrl", "_rgba", "qpos0", "qpos_spring",
 )  # fmt: skip
 """Endings of fields for which MuJoCo takes any number."""
+POSITIONS = ("qpos0", "qpos_spring", "key_qpos")
+"""Fields with the positions of all joints."""
 RANGE = "range"
 """Ending of fields whose first number has to be less than the second."""
 MENDED = ("balanceinertia", "boundinertia", "boundmass", "settotalmass")
@@ -45,10 +48,50 @@ ROUNDING = 1e-14
 
 Holes = dict[tuple[type, float], tuple[int, float]]
 """Which number of a document, and with which sign, a value is, by its type."""
-Turn = tuple[Any, Any, Any, Any]
-"""A quaternion, which of its parts are numbers of a document, which of these, and their signs."""
-Turns = dict[tuple[float, ...], Turn]
-"""Those in a document, by what MuJoCo makes of them: quaternions of length 1."""
+FREE_JOINT, BALL = 0, 1
+"""The types of joints that have a quaternion: `mjtJoint`."""
+ELLIPSOID, BOX, MESH = 4, 6, 7
+"""Types of shapes: `mjtGeom`."""
+
+
+class Row:
+    """A row of values in an `MjSpec`, some of which are numbers of the document.
+
+    Attributes:
+        element: what has it.
+        name: its name there.
+        values: all of its values.
+    """
+
+    __slots__ = ("_at", "_holes", "_places", "_signs", "element", "name", "values")
+
+    def __init__(
+        self, element: Any, name: str, values: Any, places: Sequence[tuple[int, int, float]]
+    ) -> None:
+        """Take a row; of each number its place, which one of the document it is, and its sign."""
+        numpy = import_extra("numpy")
+        self.element = element
+        self.name = name
+        self.values = numpy.array(values, float)
+        self._holes = places
+        table = numpy.array([*places], float).reshape(-1, 3)
+        self._places, self._at = table[:, :2].astype(int).T
+        self._signs = table[:, 2]
+
+    def given(self, numbers: Any) -> Any:
+        """Return the values for other numbers of the document; they are valid until the next."""
+        self.values[self._places] = numbers[self._at] * self._signs
+        return self.values
+
+    def part(self, first: int, count: int) -> Row | None:
+        """Return some of its values as a row, None if no number is among them."""
+        places = [
+            (place - first, at, sign)
+            for place, at, sign in self._holes
+            if first <= place < first + count
+        ]
+        values = self.values[first : first + count]
+        return Row(self.element, self.name, values, places) if places else None
 
 
 class Unfit(Exception):
@@ -87,40 +130,33 @@ class Mold:
                     if key in holes:
                         raise Unfit
                     holes[key] = (at, sign)
-        self._places: list[tuple[Any, int | str, int, float]] = []
+        self._places: list[tuple[Any, str, Any, int | None, int, float]] = []
         pairs = zip(_components(self._spec), _components(other), strict=True)
-        for (owner, place, kind, value), (_, _, _, perturbed) in pairs:
+        for (element, name, owner, place, kind, value), (*_, perturbed) in pairs:
             if value == perturbed or (value != value and perturbed != perturbed):
                 continue
             at, sign = holes.get((kind, perturbed), (-1, 0.0))
             if at < 0 or value != float(kind(sign * given[at])):
                 raise Unfit
-            self._places.append((owner, place, at, sign))
-        if {at for _, _, at, _ in self._places} != set(range(len(given))):
+            self._places.append((element, name, owner, place, at, sign))
+        if {at for *_, at, _ in self._places} != set(range(len(given))):
             raise Unfit
         self._cast: Cast | None = None
         if not any(getattr(self._spec.compiler, name, 0) > 0 for name in MENDED):
             models = self._spec.compile(), other.compile()
             try:
-                self._cast = Cast(*models, given, others, holes, self._turns(others))
+                self._cast = Cast(*models, given, others, holes, self._rows())
             except Unfit:
                 pass
 
-    def _turns(self, others: Sequence[float]) -> Turns:
-        """Return the quaternions of the document that numbers are in."""
-        numpy = import_extra("numpy")
-        rows: dict[int, list[tuple[Any, int, int, float]]] = {}
-        for owner, place, at, sign in self._places:
-            if type(place) is int and type(owner) is numpy.ndarray and owner.shape == (4,):
-                rows.setdefault(id(owner), []).append((owner, place, at, sign))
-        found: Turns = {}
-        for each in rows.values():
-            raw = each[0][0].copy()
-            places, at, signs = (numpy.array(part) for part in [*zip(*each, strict=True)][1:])
-            other = raw.copy()
-            other[places] = numpy.array(others)[at] * signs
-            found[tuple(_unit(other).tolist())] = raw, places, at, signs
-        return found
+    def _rows(self) -> list[Row]:
+        """Return the rows of values that numbers of the document are in."""
+        found: dict[tuple[int, str], tuple[Any, str, Any, list[tuple[int, int, float]]]] = {}
+        for element, name, owner, place, at, sign in self._places:
+            if type(place) is int:
+                row = found.setdefault((id(element), name), (element, name, owner, []))
+                row[3].append((place, at, sign))
+        return [Row(*each) for each in found.values()]
 
     def model(self, values: Sequence[float]) -> Any:
         """Return the model of a document with other numbers; it is valid until the next one.
@@ -130,11 +166,11 @@ class Mold:
         """
         if self._cast is not None and self._cast.take(values):
             return self._cast.model
-        for owner, place, at, sign in self._places:
-            if type(place) is int:
-                owner[place] = sign * values[at]
+        for element, name, owner, place, at, sign in self._places:
+            if place is None:
+                setattr(element, name, sign * values[at])
             else:
-                setattr(owner, place, sign * values[at])  # type: ignore[arg-type]
+                owner[place] = sign * values[at]
         return self._spec.compile()
 
 
@@ -147,7 +183,7 @@ class Cast:
 
     def __init__(
         self, base: Any, other: Any, given: Sequence[float], others: Sequence[float],
-        holes: Holes, turns: Turns,
+        holes: Holes, rows: Sequence[Row],
     ) -> None:  # fmt: skip
         """Find the numbers of a document in the model, by that of another document.
 
@@ -157,7 +193,7 @@ class Cast:
             given: the numbers of the document.
             others: the numbers of the other document.
             holes: which of these a value is.
-            turns: which quaternions it has, of the other document.
+            rows: where they are in what the model is compiled from.
 
         Raises:
             Unfit: MuJoCo does not derive all that depends on them.
@@ -170,7 +206,12 @@ class Cast:
         self._frames = base.body_sameframe.copy()
         self._puts: list[tuple[Any, Any, Any, Any]] = []
         self._ranges: list[tuple[Any, Any]] = []
-        self._turns: list[tuple[Any, Turn]] = []
+        self._derived = [*derived(base, rows)]
+        turns = {
+            tuple(_unit(row.given(numpy.array(others))).tolist()): row
+            for each in rows
+            for row in quaternions_in(base, each)
+        }
         signed: set[int] = set()
         for one, two in ((base, other), (base.opt, other.opt)):
             for name in properties(type(one)):
@@ -181,15 +222,21 @@ class Cast:
                 row, changed = value.reshape(-1), getattr(two, name).reshape(-1)
                 if row.shape != changed.shape:
                     raise Unfit
-                if name.endswith("quat"):
-                    pairs = zip(row.reshape(-1, 4), changed.reshape(-1, 4).tolist(), strict=True)
-                    self._turns += [
-                        (each, turns[key]) for each, new in pairs if (key := tuple(new)) in turns
+                starts = [*range(0, row.size, 4)] if name.endswith("quat") else []
+                if name in POSITIONS:
+                    starts = [
+                        at + first for at in range(0, row.size, base.nq) for first in turned(base)
                     ]
+                for at in starts:
+                    turn = turns.get(tuple(changed[at : at + 4].tolist()))
+                    if turn is not None:
+                        self._derived.append(partial(_put_turn, row[at : at + 4], turn))
+                if name.endswith("quat"):
                     continue
                 found = [
                     (place, *holes[key])
                     for place in numpy.flatnonzero(row != changed).tolist()
+                    if not any(at <= place < at + 4 for at in starts)
                     if (key := (kind, float(changed[place]))) in holes
                 ]
                 places = [
@@ -228,9 +275,11 @@ class Cast:
             return False
         for row, places, at, signs in self._puts:
             row[places] = numbers[at] * signs
-        for row, (raw, places, at, signs) in self._turns:
-            raw[places] = numbers[at] * signs
-            row[:] = _unit(raw)
+        try:
+            for derive in self._derived:
+                derive(numbers)
+        except ValueError:
+            return False
         x, y, z = self.model.body_inertia.T
         if not ((x + y >= z) & (y + z >= x) & (z + x >= y)).all():
             return False
@@ -273,6 +322,131 @@ class Cast:
             found.meaninertia = model.dof_M0.cumsum()[-1] / model.nv
 
 
+# --- what the compiler of MuJoCo derives from values -------------------------------------------
+
+
+def turned(model: Any) -> list[int]:
+    """Return where quaternions begin in the positions of a model."""
+    pairs = zip(model.jnt_type.tolist(), model.jnt_qposadr.tolist(), strict=True)
+    return [
+        at + 3 if kind == FREE_JOINT else at for kind, at in pairs if kind in (FREE_JOINT, BALL)
+    ]
+
+
+def quaternions_in(model: Any, row: Row) -> list[Row]:
+    """Return the quaternions in a row of values that have numbers of the document."""
+    if row.name.endswith("quat"):
+        return [row]
+    if row.name not in ("qpos", "qpos0") or len(row.values) != model.nq:
+        return []
+    parts = (row.part(first, 4) for first in turned(model))
+    return [each for each in parts if each is not None]
+
+
+def _put_turn(place: Any, quaternion: Row, numbers: Any) -> None:
+    place[:] = _unit(quaternion.given(numbers))
+
+
+def derived(model: Any, rows: Sequence[Row]) -> Iterator[Callable[[Any], None]]:
+    """Yield what writes the values of a model that its compiler makes of some rows.
+
+    Raises:
+        Unfit: the compiler is as fast.
+    """
+    inertias = [row for row in rows if row.name == "fullinertia"]
+    if inertias:
+        if not model.nmesh:
+            raise Unfit
+        yield PrincipalAxes(model, inertias).put
+    placed: dict[int, dict[str, Row]] = {}
+    for row in rows:
+        element, own = row.element, type(row.element).__name__
+        if row.name == "fromto" and own in ("MjsGeom", "MjsSite"):
+            names = (f"{own[3:].lower()}_{each}" for each in ("pos", "quat", "size"))
+            position, turn, size = (getattr(model, name)[element.id] for name in names)
+            yield partial(_put_between, position, turn, size, int(element.type), row)
+        elif own == "MjsGeom" and model.geom_type[element.id] == MESH:
+            placed.setdefault(element.id, {})[row.name] = row
+    for geom, given in placed.items():
+        element = next(iter(given.values())).element
+        where = [
+            given.get(name) or Row(element, name, getattr(element, name), ())
+            for name in ("pos", "quat")
+        ]
+        yield partial(_put_mesh, model, geom, *where)
+
+
+class PrincipalAxes:
+    """The principal moments and axes of inertias, as the compiler of a model of them finds them."""
+
+    __slots__ = ("_bodies", "_model", "_rows", "_spec")
+
+    def __init__(self, model: Any, rows: Sequence[Row]) -> None:
+        """Take the model of a document, and the inertias in it."""
+        body = '<body><inertial pos="0 0 0" mass="1" fullinertia="1 1 1 0 0 0"/></body>'
+        bodies = body * len(rows)
+        self._model = model
+        self._rows = rows
+        self._spec = import_extra("mujoco", "sim").MjSpec.from_string(
+            f"<mujoco><worldbody>{bodies}</worldbody></mujoco>"
+        )
+        self._bodies = self._spec.bodies[1:]
+
+    def put(self, numbers: Any) -> None:
+        """Write the moments and axes; raise ValueError if an inertia is refused."""
+        for body, row in zip(self._bodies, self._rows, strict=True):
+            body.fullinertia = row.given(numbers)
+        found, model = self._spec.compile(), self._model
+        own = [row.element.id for row in self._rows]
+        model.body_inertia[own], model.body_iquat[own] = (
+            found.body_inertia[1:],
+            found.body_iquat[1:],
+        )
+
+
+def _put_mesh(model: Any, geom: int, position: Row, turn: Row, numbers: Any) -> None:
+    """Write where a mesh is, whose frame is that of its principal axes.
+
+    Products are summed in the order in which the compiler has them, to be the same in all digits.
+    """
+    numpy = import_extra("numpy")
+    mesh = model.geom_dataid[geom]
+    w, x, y, z = _unit(turn.given(numbers)).tolist()
+    matrix = numpy.array((
+        (w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)),
+        (2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)),
+        (2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z),
+    ))  # fmt: skip
+    along = matrix * model.mesh_pos[mesh]
+    model.geom_pos[geom] = position.given(numbers) + (along[:, 0] + along[:, 1] + along[:, 2])
+    a, b, c, d = model.mesh_quat[mesh].tolist()
+    model.geom_quat[geom] = _unit(numpy.array((
+        w * a - x * b - y * c - z * d,
+        w * b + x * a + y * d - z * c,
+        w * c - x * d + y * a + z * b,
+        w * d + x * c - y * b + z * a,
+    )))  # fmt: skip
+
+
+def _put_between(position: Any, turn: Any, size: Any, kind: int, row: Row, numbers: Any) -> None:
+    """Write where a shape between two points is, and half its length, as `fromto` says it."""
+    numpy = import_extra("numpy")
+    points = row.given(numbers)
+    x, y, z = (points[:3] - points[3:]).tolist()
+    length = math.sqrt(x * x + y * y + z * z)
+    position[:] = (points[:3] + points[3:]) / 2
+    size[1:2] = length / 2
+    if kind in (BOX, ELLIPSOID):
+        size[1:] = size[0], length / 2
+    # From z to the line, about what is perpendicular to both.
+    x, y, z = x / length, y / length, z / length
+    sine = math.sqrt(x * x + y * y)
+    axis = (-y / sine, x / sine) if sine >= 1e-10 else (1.0, 0.0)
+    angle = math.atan2(sine, z)
+    part = math.sin(angle / 2)
+    turn[:] = numpy.array((math.cos(angle / 2), axis[0] * part, axis[1] * part, 0.0))
+
+
 def _unit(quaternion: Any) -> Any:
     """Return a quaternion of length 1, with the digits that MuJoCo's compiler gives it."""
     w, x, y, z = quaternion.tolist()
@@ -289,8 +463,12 @@ def saved(model: Any) -> Any:
     return row.view(numpy.uint64)
 
 
-def _components(spec: Any) -> Iterator[tuple[Any, int | str, type, float]]:
-    """Yield the floating-point numbers of a model: their owner and place there, kind and value."""
+def _components(spec: Any) -> Iterator[tuple[Any, str, Any, int | None, type, float]]:
+    """Yield the floating-point numbers of a model.
+
+    Of each the element, the name of what it is in there, that and its place in it, None for a
+    number that is alone, its kind and its value.
+    """
     numpy = import_extra("numpy")
     for name in LISTS:
         found = getattr(spec, name, ())
@@ -300,15 +478,15 @@ def _components(spec: Any) -> Iterator[tuple[Any, int | str, type, float]]:
                 for attribute in properties(type(owner)):
                     value: Any = None if attribute in OTHERS else getattr(owner, attribute)
                     if type(value) is float:
-                        yield owner, attribute, float, value
+                        yield owner, attribute, value, None, float, value
                     elif isinstance(value, numpy.ndarray) and value.dtype.kind == "f":
                         kind = numpy.float32 if value.dtype == numpy.float32 else float
                         row = value.reshape(-1)
                         for at in range(row.size):
-                            yield row, at, kind, float(row[at])
+                            yield owner, attribute, row, at, kind, float(row[at])
                     elif type(value).__name__ == "MjDoubleVec":
                         for at in range(len(value)):
-                            yield value, at, float, value[at]
+                            yield owner, attribute, value, at, float, value[at]
 
 
 _KNOWN: dict[type, list[str]] = {}
