@@ -165,8 +165,9 @@ PITCH = 0.05
 
 
 @pytest.mark.parametrize("kind", ["universal", "screw"])
-def test_joints_of_two_axes_and_screws_move_in_mujoco_as_in_drake(kind: str, tmp_path) -> None:
+def test_joints_of_two_axes_and_screws_move_as_in_drake(kind: str, tmp_path) -> None:
     mujoco = oracles.require_module("mujoco")
+    pinocchio = oracles.require_module("pinocchio")
     plants = oracles.require_module("pydrake.multibody.plant")
     parsing = oracles.require_module("pydrake.multibody.parsing")
     more = SECOND if kind == "universal" else f"<screw_thread_pitch>{PITCH}</screw_thread_pitch>"
@@ -175,6 +176,10 @@ def test_joints_of_two_axes_and_screws_move_in_mujoco_as_in_drake(kind: str, tmp
     build = written(tmp_path, "made.sdf", "mjcf", "made.xml")
     found = [(each.kind, each.what) for each in build.losses]
     assert found == ([("approximated", "SDF's screw joints")] if kind == "screw" else [])
+    urdf = written(tmp_path, "made.sdf", "urdf", "made.urdf")
+    assert [(each.kind, each.what) for each in urdf.losses if each.what != "free bases"] == found
+    chain = pinocchio.buildModelFromXML(urdf.xml())
+    at, b = chain.createData(), chain.getFrameId("b")
     plant = plants.MultibodyPlant(0.0)
     parsing.Parser(plant).AddModels(str(tmp_path / "made.sdf"))
     plant.WeldFrames(plant.world_frame(), plant.GetFrameByName("a"))
@@ -197,9 +202,18 @@ def test_joints_of_two_axes_and_screws_move_in_mujoco_as_in_drake(kind: str, tmp
         mass = np.zeros((model.nv, model.nv))
         mujoco.mj_fullM(model, data, mass)
         assert np.abs(turns.T @ mass @ turns - plant.CalcMassMatrix(context)).max() < 1e-12
+        position = pinocchio.integrate(chain, pinocchio.neutral(chain), turns @ q)
+        pinocchio.framesForwardKinematics(chain, at, position)
+        assert np.abs(pose.GetAsMatrix4() - at.oMf[b].homogeneous).max() < 1e-12
+        mass = pinocchio.crba(chain, at, position)
+        assert np.abs(turns.T @ mass @ turns - plant.CalcMassMatrix(context)).max() < 1e-12
     if kind == "screw":  # the equality holds the slide where the thread has it
         data.qpos[:] = turns @ q
         mujoco.mj_forward(model, data)
+        mimic = urdf.robot.joints["j_slide"].mimic
+        assert mimic is not None
+        assert mimic.joint == "j_axis"
+        assert mimic.multiplier == pytest.approx(PITCH / (2 * pi))
         assert np.abs(data.efc_pos[: data.ne]).max() < 1e-12
 
 

@@ -229,6 +229,8 @@ def lost_blocks(robot: Robot, format: str) -> Losses:
     found, taken = Losses(), translation.taken
     for raw in translation.screws:
         how = "a hinge and a slide with an equality"
+        if format == "urdf":
+            how = "a joint that turns and one that slides, which follows it"
         found.approximate("SDF's screw joints", raw, label=f"joint '{raw.joint}'", how=how)
     for raw in robot.raw():
         if raw.format == format:

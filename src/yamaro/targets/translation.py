@@ -6,7 +6,7 @@ Such a block is made one for the other format, which its writer takes as if it h
 there. USD has no blocks: what it has too are values here.
 
 A universal joint of SDF turns about its first axis, then about its second one: two hinges of MJCF.
-A screw is a hinge and a slide that an equality holds together.
+A screw is a hinge and a slide that an equality holds together. In URDF they are chains of joints.
 """
 
 from __future__ import annotations
@@ -25,6 +25,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
+    from ..model.pose import Vector
     from ..model.robot import Robot
     from ..source import Span
 
@@ -58,17 +59,34 @@ class Coupling(NamedTuple):
     element: Element
 
 
+class Move(NamedTuple):
+    """A degree of freedom of a universal joint or a screw.
+
+    Attributes:
+        suffix: what the name of a joint for it ends in.
+        slides: whether it is along the axis.
+        axis: a vector in the frame of the child.
+        element: the axis of SDF.
+    """
+
+    suffix: str
+    slides: bool
+    axis: Vector
+    element: Element
+
+
 class Translation:
     """The blocks of a robot for a format, with those for another one that say what it has too.
 
     Attributes:
         blocks: the blocks.
+        chains: for URDF, what is in place of a joint that it has not, by the name of the joint.
         couplings: for SDF and USD, the equalities of joints that the model has not.
         taken: the identities of elements in blocks for another format that nothing is lost of.
         screws: the blocks of screws, which the format has approximately.
     """
 
-    __slots__ = ("_robot", "blocks", "couplings", "screws", "taken")
+    __slots__ = ("_robot", "blocks", "chains", "couplings", "screws", "taken")
 
     def __init__(self, robot: Robot, format: str) -> None:
         self._robot = robot
@@ -76,6 +94,10 @@ class Translation:
         self.taken: set[int] = set()
         self.couplings: list[Coupling] = []
         self.screws: list[RawXml] = []
+        self.chains: dict[str, list[Element]] = {}
+        if format == "urdf":
+            for raw in robot.raw("sdf"):
+                self._add_chain(raw)
         if format not in ("mjcf", "sdf", "usd"):
             return
         for raw in robot.raw():
@@ -220,45 +242,86 @@ class Translation:
     def _hinges(self, raw: RawXml, name: str, kind: Element) -> list[RawXml]:
         """Return the joints of a body that are a universal joint or a screw together."""
         said = {each.name: each for each in raw.elements}
-        pose = [*numbers_in(content(said.get("pose")))] or [0.0] * 6
-        turn = rotation_from_rpy(pose[3], pose[4], pose[5])
-        is_screw = content(kind) == SCREW
-        axes = [said.get("axis"), said.get("axis") if is_screw else said.get("axis2")]
+        moves, where = _moves(said)
         joints = []
-        for number, (axis, suffix) in enumerate(zip(axes, ("axis", "axis2"), strict=True)):
-            xyz = numbers_in(content(child_named(axis, "xyz"))) if axis is not None else ()
-            if axis is None or len(xyz) != 3:
-                return []
-            x, y, z = xyz
-            attributes: dict[str, object] = {"name": f"{name}_{suffix}"}
-            if is_screw and number:
-                attributes |= {"name": f"{name}_slide", "type": "slide"}
-            attributes["axis"] = Numbers.of(*rotate(turn, (x, y, z)))
-            if any(pose[:3]):
-                attributes["pos"] = Numbers.of(*pose[:3])
-            if not (is_screw and number):
-                values, is_whole = _of_axis(axis)
+        for move in moves:
+            attributes: dict[str, object] = {"name": f"{name}_{move.suffix}"}
+            if move.slides:
+                attributes["type"] = "slide"
+            attributes["axis"] = Numbers.of(*move.axis)
+            if any(where):
+                attributes["pos"] = Numbers.of(*where)
+            if not move.slides:
+                values, is_whole = _of_axis(move.element)
                 attributes |= values
-                self.taken |= {id(axis)} if is_whole else set()
-            joints.append(Element("joint", axis.span, attributes))
+                self.taken |= {id(move.element)} if is_whole else set()
+            joints.append(Element("joint", move.element.span, attributes))
+        if not joints:
+            return []
         self.taken |= {id(kind), id(said.get("pose"))}
         blocks = [_block("mjcf", kind.span, joints, link=self._robot.joints[name].child)]
-        if is_screw:
+        if content(kind) == SCREW:
             blocks.append(_thread(kind, said, name))
-            self.taken |= {id(said[each]) for each in PITCHES if each in said}
-            self.screws.append(raw)
+            self._take_screw(raw, said)
         return blocks
+
+    def _take_screw(self, raw: RawXml, said: dict[str, Element]) -> None:
+        self.taken |= {id(said[each]) for each in PITCHES if each in said}
+        self.screws.append(raw)
+
+    def _add_chain(self, raw: RawXml) -> None:
+        """Add the chain that is a universal joint or a screw in URDF."""
+        said = {each.name: each for each in raw.elements}
+        kind, joint = said.get("type"), self._robot.joints.get(raw.joint or "")
+        if kind is None or joint is None or joint.type != FIXED:
+            return
+        moves, where = _moves(said)
+        if not moves:
+            return
+        from .urdf.chains import chain, is_whole
+
+        is_screw = content(kind) == SCREW
+        factor = _pitch(said) / (2 * pi) if is_screw else None
+        self.chains[joint.name] = chain(self._robot, joint.name, moves, where, factor)
+        self.taken |= {id(kind), id(said.get("pose"))}
+        self.taken |= {id(each.element) for each in moves if is_whole(each.element)}
+        if is_screw:
+            self._take_screw(raw, said)
+
+
+def _moves(said: dict[str, Element]) -> tuple[list[Move], tuple[float, ...]]:
+    """Return how a joint of SDF that the model has as a fixed one moves, and where in its child.
+
+    Nothing is returned for joints other than universal ones and screws, and for one without axes.
+    """
+    kind = content(said.get("type"))
+    pose = [*numbers_in(content(said.get("pose")))] or [0.0] * 6
+    turn = rotation_from_rpy(pose[3], pose[4], pose[5])
+    moves: list[Move] = []
+    for own in {UNIVERSAL: ("axis", "axis2"), SCREW: ("axis", "axis")}.get(kind or "") or ():
+        axis = said.get(own)
+        xyz = numbers_in(content(child_named(axis, "xyz"))) if axis is not None else ()
+        if axis is None or len(xyz) != 3:
+            return [], ()
+        x, y, z = xyz
+        slides = kind == SCREW and bool(moves)
+        suffix = "slide" if slides else own
+        moves.append(Move(suffix, slides, rotate(turn, (x, y, z)), axis))
+    return moves, tuple(pose[:3])
+
+
+def _pitch(said: dict[str, Element]) -> float:
+    """Return how far a screw moves in a turn, in metres."""
+    for word, each in PITCHES.items():
+        found = numbers_in(content(said.get(word)))
+        if found and found[0]:
+            return found[0] if each > 0 else each / found[0]
+    return 1.0  # SDF's default
 
 
 def _thread(kind: Element, said: dict[str, Element], name: str) -> RawXml:
     """Return what holds the slide of a screw at its angle times the pitch."""
-    pitch = 1.0  # SDF's default
-    for word, each in PITCHES.items():
-        found = numbers_in(content(said.get(word)))
-        if found and found[0]:
-            pitch = found[0] if each > 0 else each / found[0]
-            break
-    row = Numbers.of(0.0, pitch / (2 * pi), 0.0, 0.0, 0.0)
+    row = Numbers.of(0.0, _pitch(said) / (2 * pi), 0.0, 0.0, 0.0)
     ends: dict[str, object] = {"joint1": f"{name}_slide", "joint2": f"{name}_axis"}
     held = Element("joint", kind.span, {**ends, "polycoef": row, **TIGHT})
     return _block("mjcf", kind.span, [Element("equality", kind.span, children=[held])])

@@ -27,6 +27,11 @@ def write(robot: Robot, wanted: Wanted) -> Output:
     already, and so is not to be read.
     """
     reporter, root, losses = Reporter(), robot.element, Losses()
+    if any(raw.format == "sdf" and raw.joint is not None for raw in robot.raw()):
+        from ..translation import Translation
+        from .chains import in_tree
+
+        root = in_tree(root, Translation(robot, "urdf").chains, robot)
     files: dict[str, bytes] = {}
     loops = None
     if robot.loops:
