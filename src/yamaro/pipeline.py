@@ -468,6 +468,7 @@ def lower(
             reporter=reporter,
             resolve_mesh=finder.resolve,
             may_read=finder.allows,
+            package_fault=finder.package_fault,
             fitter=fitter,
             overlays=overlays,
             wants_advice=request.options.wanted_advice(),
@@ -495,7 +496,12 @@ def lower(
         fitter = _fitter(interpreter, request)
         finder = request.finder
         lowering = lowering_of(
-            root, reporter, finder.resolve, may_read=finder.allows, fitter=fitter
+            root,
+            reporter,
+            finder.resolve,
+            may_read=finder.allows,
+            fitter=fitter,
+            package_fault=finder.package_fault,
         )
         root, notes = refitted(
             lowering, root, notes, request.options.refitting, on_work=request.options.on_progress

@@ -19,10 +19,10 @@ from tests.tools_there import TOOLS, marked, needs
 from tests.waiting import PATIENCE
 from yamaro import Program
 from yamaro.commands.arguments import make_policy, parse_arguments
-from yamaro.commands.command_table import all_commands, named_commands
+from yamaro.commands.command_table import all_commands, command_named, named_commands
 from yamaro.commands.main import main
 from yamaro.commands.option_table import all_options, all_spellings, help_of, options_of
-from yamaro.commands.reports import USAGE
+from yamaro.commands.reports import usage_told
 from yamaro.commands.shells import SHELLS, script
 from yamaro.policy import Limits, limit_names
 from yamaro.sandbox import jail
@@ -654,7 +654,15 @@ def test_wrong_usage_is_told_in_one_line(
 ) -> None:
     status, out, err = outcome(capsys, *words.split())
     assert (status, out) == (2, "")
-    assert err == f"yamaro: error: {message}\n{USAGE}\n"
+    command = next((word for word in words.split() if command_named(word)), "build")
+    assert err == f"yamaro: error: {message}\n{usage_told(command)}\n"
+
+
+def test_wrong_usage_of_a_command_shows_how_that_is_used(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    _, _, err = outcome(capsys, "args", "--xyzzy", "a.yaml")
+    assert err.splitlines()[1] == ("usage: yamaro args [options] FILE   (see 'yamaro args --help')")
 
 
 def test_an_unknown_limit_that_is_like_none_lists_them_all(
@@ -672,7 +680,7 @@ def test_missing_main_file_is_wrong_usage(capsys: pytest.CaptureFixture[str]) ->
     assert (status, out) == (2, "")
     assert err.startswith("yamaro: error: ")
     assert "'nowhere.yaml'" in err
-    assert err.endswith(USAGE + "\n")
+    assert err.endswith(usage_told("build") + "\n")
 
 
 @pytest.mark.parametrize("command", marked(["build", "check", "tree"]))
@@ -742,7 +750,11 @@ def test_every_option_belongs_to_a_command_and_is_explained() -> None:
 def test_help_of_no_command_is_wrong_usage(
     capsys: pytest.CaptureFixture[str], words: str, message: str
 ) -> None:
-    assert outcome(capsys, *words.split()) == (2, "", f"yamaro: error: {message}\n{USAGE}\n")
+    assert outcome(capsys, *words.split()) == (
+        2,
+        "",
+        f"yamaro: error: {message}\n{usage_told('help')}\n",
+    )
 
 
 @needs(*TOOLS)

@@ -9,7 +9,7 @@ import pytest
 import yamaro
 from tests.tools_there import needs
 from yamaro.commands.main import main
-from yamaro.commands.reports import USAGE
+from yamaro.commands.reports import usage_told
 from yamaro.files.packages import PackageFinder
 from yamaro.sandbox import jail
 
@@ -86,7 +86,7 @@ def test_several_packages_may_be_given_and_the_last_of_a_name_counts(
 def test_what_is_no_folder_is_wrong_usage(
     given: str, problem: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    told = f"yamaro: error: {problem}\n{USAGE}\n"
+    told = f"yamaro: error: {problem}\n{usage_told('build')}\n"
     assert outcome(capsys, "robot.yaml", "--package", given) == (2, "", told)
 
 

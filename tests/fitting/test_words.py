@@ -266,10 +266,14 @@ def test_pieces_of_a_geom_of_mjcf_touch_as_it_did_and_it_is_seen_as_it_was() -> 
     assert color.tolist() == [1, 0, 0, 1]
 
 
-def test_mjcf_stays_mjcf_with_its_actuators_and_frictions() -> None:
+def test_mjcf_stays_mjcf_with_its_actuators_and_frictions(
+    capfd: pytest.CaptureFixture[str],
+) -> None:
     import mujoco
 
     Path("arm.xml").write_text(MJCF, encoding="utf-8")
+    assert main(["fit", "arm.xml", "-o", "out/arm.urdf"]) == 0
+    assert "out/arm.urdf holds MJCF" in capfd.readouterr().err
     assert main(["fit", "arm.xml", "-o", "out/arm.xml", "-q"]) == 0
     model = mujoco.MjModel.from_xml_path("out/arm.xml")
     colliding = [g for g in range(model.ngeom) if model.geom_contype[g]]

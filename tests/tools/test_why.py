@@ -287,8 +287,10 @@ model:
           parent: base
           axis: 0 0 1
           limit: {lower: -0.1, upper: 0.7, effort: 1, velocity: 1}
-        link: {geometry: sphere, radius: 0.1, mass: 1}
+        link: {geometry: sphere, radius: 0.1, mass: 1, collision: }
 """)
+    out = outcome(capsys, "why", "robot.yaml", "right_arm_link/collision")[1]
+    assert out.endswith('mjcf: <body name="right_arm_link"> <geom name="right_arm_collision">\n')
     out = outcome(capsys, "why", "robot.yaml", "right_arm_joint/limit@lower")[1]
     assert out == (
         "right_arm_joint/limit@lower = -0.7\n"

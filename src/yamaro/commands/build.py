@@ -39,7 +39,7 @@ def _sum_up(build: Build, arguments: Arguments, streams: Streams) -> None:
     ending = os.path.splitext(name)[1].lower()
     has_to = arguments.has("to")
     if has_to or (ending != ".urdf" and "<robot" in "".join(build.pieces[:8])[:200]):
-        _note_ending(name, ending, build.format if has_to else "urdf", streams)
+        note_ending(name, build.format if has_to else "urdf", streams)
     if has_to:
         from .formats import summary_of as summary_of_formats
 
@@ -54,8 +54,11 @@ def _sum_up(build: Build, arguments: Arguments, streams: Streams) -> None:
         streams.say(f"{name}: {summary}")
 
 
-def _note_ending(name: str, ending: str, written: str, streams: Streams) -> None:
-    """Note that the ending of a file name promises another format than the one written."""
+def note_ending(
+    name: str, written: str, streams: Streams, how: str = "--to {0.name} writes {0.title}"
+) -> None:
+    """Note that the ending of a file name promises another format than the one written, and how."""
+    ending = os.path.splitext(name)[1].lower()
     if ending in ("", ".xml") or os.path.isdir(name):
         return
     from ..targets.table import TARGETS
@@ -64,5 +67,5 @@ def _note_ending(name: str, ending: str, written: str, streams: Streams) -> None
         for target in TARGETS.values():
             if ending in target.endings:
                 holds = f"{name} holds {TARGETS[written].title}"
-                streams.say(f"yamaro: note: {holds}; --to {target.name} writes {target.title}")
+                streams.say(f"yamaro: note: {holds}; {how.format(target)}")
                 return

@@ -121,8 +121,10 @@ def _nothing_waits_for_the_end(open_before: set[str]) -> bool:
 def _run_safely(argv: Sequence[str], stream_class: type[Streams]) -> int:
     """Run the command and return its exit status, whatever is raised."""
     streams: Streams | None = None
+    command = next((word for word in argv if not word.startswith("-")), "")
     try:
         arguments = parse_arguments(argv)
+        command = arguments.command
         streams = stream_class(quiet=arguments.has("quiet"))
         streams.divert()
         if arguments.has("version"):
@@ -135,7 +137,7 @@ def _run_safely(argv: Sequence[str], stream_class: type[Streams]) -> int:
             return deliver([help_of(arguments.command)], arguments, streams)
         return _command(arguments.command)(arguments, streams)
     except WrongUsage as error:
-        return report_usage(str(error), streams)
+        return report_usage(str(error), command, streams)
     except ProgramEnded as error:
         (streams or Streams(quiet=False)).say(f"yamaro: error: {error}")
         return INPUT_ERROR

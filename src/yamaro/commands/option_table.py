@@ -399,20 +399,22 @@ def run(arguments: Arguments, streams: Streams) -> int:
     return deliver([help_of(topics[0])], arguments, streams)
 
 
-def help_of(name: str) -> str:
-    """Return the help of a command; that of `yamaro FILE` also lists the others."""
-    command = command_named(name)
-    assert command is not None, name
+def usage_of(command: Command) -> list[str]:
+    """Return the lines that say what may follow a command."""
     called = "yamaro" if command.name == BUILD else f"yamaro {command.name}"
     forms = " ".join(command.forms)
     has_more = any(f"--{option.name}" not in forms for option in options_of(command)[:-2])
     lines = [
         f"{called} {'[options] ' if has_more else ''}{form}".rstrip() for form in command.forms
     ]
-    blocks = [
-        [("usage: " if number == 0 else "       ") + line for number, line in enumerate(lines)],
-        _wrapped(command.about, 0),
-    ]
+    return [("usage: " if number == 0 else "       ") + line for number, line in enumerate(lines)]
+
+
+def help_of(name: str) -> str:
+    """Return the help of a command; that of `yamaro FILE` also lists the others."""
+    command = command_named(name)
+    assert command is not None, name
+    blocks = [usage_of(command), _wrapped(command.about, 0)]
     if command.words:
         blocks.append([line for word, text in command.words for line in _row(word, text)])
     options = [line for option in options_of(command) for line in _option(option, command)]

@@ -28,8 +28,6 @@ INTERNAL_ERROR = 70  # EX_SOFTWARE of sysexits.h
 INTERRUPTED = 130  # 128 + SIGINT, as shells count
 PIPE_CLOSED = 141  # 128 + SIGPIPE
 
-USAGE = "usage: yamaro [options] FILE [name:=value ...]   (see 'yamaro --help')"
-
 
 class WrongUsage(Exception):
     """The command line cannot be understood; the text says why."""
@@ -113,11 +111,23 @@ def has_color(arguments: Arguments, *, is_terminal: bool) -> bool:
     return is_terminal and environ.get("TERM") != "dumb"
 
 
-def report_usage(message: str, streams: Streams | None) -> int:
-    """Say what is wrong with the command line; return the exit status."""
+def usage_told(name: str) -> str:
+    """Return how a command is used; how `yamaro FILE` is for a word that is not a command."""
+    from .command_table import BUILD, command_named
+    from .option_table import usage_of
+
+    command = command_named(name) or command_named(BUILD)
+    assert command is not None
+    called = "yamaro" if command.name == BUILD else f"yamaro {command.name}"
+    return "\n".join(usage_of(command)) + f"   (see '{called} --help')"
+
+
+def report_usage(message: str, name: str, streams: Streams | None) -> int:
+    """Say what is wrong with the command line of a command; return the exit status."""
     from ..terminal import shortened
 
-    (streams or Streams(quiet=False)).say(f"yamaro: error: {shortened(message)}\n{USAGE}")
+    said = f"yamaro: error: {shortened(message)}\n{usage_told(name)}"
+    (streams or Streams(quiet=False)).say(said)
     return USAGE_ERROR
 
 

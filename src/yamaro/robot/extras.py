@@ -253,11 +253,12 @@ def read_field(
             wanted = "whole numbers from 1" if sign == WHOLE else f"{noun} from 0"
             wanted = f"{noun} {PART}" if sign == PART else wanted
             wanted = f"{noun} above 0" if sign == POSITIVE else wanted
+            given = int(number) if sign == WHOLE and number == int(number) else number
             raise failure(
                 "bad-number",
                 f"'{name}' is not 0: it is how often the motor turns for one turn of the joint"
                 if sign == NOT_ZERO
-                else f"'{name}' takes {wanted}, and this is {format_value(number)}",
+                else f"'{name}' takes {wanted}, and this is {format_value(given)}",
                 span,
                 hint=f"write {name}: {field.example}",
                 trace=key.trace,

@@ -12,6 +12,7 @@ from ..xml.tree import Element, RobotNote
 from ..xml.values import Numbers, format_value
 from .extras import read_field
 from .fields import FIT_KEYS, LIGHTER_KEYS
+from .geometry import where_it_may_be
 from .material import material_of
 from .notes import TRUTHS, one_of
 from .numbers import format_component
@@ -196,7 +197,7 @@ def worked_out(
             "missing-mesh",
             f"the mesh '{word}' is not found, but a shape is worked out from it",
             span,
-            hint="a relative path starts at the folder of the file that contains it",
+            hint=where_it_may_be(lowering, word, span),
             notes=notes,
             trace=trace,
         )

@@ -356,12 +356,12 @@ def solid_shape(lowering: Lowering, geometry: Geometry) -> Solid:
 def _solid_mesh(lowering: Lowering, geometry: Geometry, scale: tuple[float, ...]) -> MeshSolid:
     path = lowering.resolve_mesh(geometry.word, geometry.span)
     if path is None:
+        hint = where_it_may_be(lowering, geometry.word, geometry.span)
         raise failure(
             "missing-mesh",
             f"the mesh '{geometry.word}' is not found, but the inertia is computed from it",
             geometry.span,
-            hint="a relative path starts at the folder of the file that "
-            "contains it; or write 'inertia' explicitly",
+            hint=f"{hint}; or write 'inertia' explicitly",
             trace=geometry.key.trace,
         )
     moments = lowering.moments.get(path)
@@ -379,6 +379,17 @@ def _solid_mesh(lowering: Lowering, geometry: Geometry, scale: tuple[float, ...]
             trace=geometry.key.trace,
         )
     return MeshSolid(scaled)
+
+
+def where_it_may_be(lowering: Lowering, word: str, span: Span) -> str:
+    """Return the hint about a mesh that is not found."""
+    scheme, _, rest = word.partition("://")
+    if scheme in ("http", "https"):
+        return "meshes are not downloaded: name a file"
+    if scheme != "package" or lowering.package_fault is None:
+        return "a relative path starts at the folder of the file that contains it"
+    fault = lowering.package_fault(rest.partition("/")[0], span)
+    return "the package exists, but does not contain this file" if fault is None else fault[0]
 
 
 def _read_moments(lowering: Lowering, geometry: Geometry, path: str) -> SolidMoments:

@@ -9,7 +9,7 @@ from .fields import with_attributes
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
     from ..diagnostics import Diagnostic, Frame, Reporter, YamaroError
     from ..fitting.fit import Fit
@@ -25,6 +25,9 @@ if TYPE_CHECKING:
     from .formed import Pattern
     from .mirror import Mirror
     from .naming import Naming
+
+    PackageFault = Callable[[str, Span], tuple[str, Sequence[str]] | None]
+    """Gives how to get a package that is not found, and where it was looked for; None if it is."""
 
     Outside = tuple[
         list[Element],
@@ -136,6 +139,7 @@ class Lowering:
         "near_keys",
         "numbers",
         "overlays",
+        "package_fault",
         "parents",
         "part_joints",
         "part_links",
@@ -159,6 +163,7 @@ class Lowering:
         has_capsule: bool,
         fitter: Fitter | None = None,
         root: Element | None = None,
+        package_fault: PackageFault | None = None,
     ) -> None:
         """Start a run with nothing found."""
         self.root = root
@@ -167,6 +172,7 @@ class Lowering:
         self.reporter = reporter
         self.resolve_mesh = resolve_mesh
         self.may_read = may_read
+        self.package_fault = package_fault
         self.has_capsule = has_capsule
         self.has_words = self.has_armatures = False
         self.errors: list[Diagnostic] = []

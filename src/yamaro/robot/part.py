@@ -40,7 +40,7 @@ if TYPE_CHECKING:
     from ..diagnostics import Frame, Reporter
     from ..source import Span
     from ..xml.tree import Node
-    from .lowering import Fitter
+    from .lowering import Fitter, PackageFault
 
 CAPSULE_VERSION = (1, 1)
 ROOT_LINK = "root_link"
@@ -54,6 +54,7 @@ def lower(
     reporter: Reporter,
     resolve_mesh: Callable[[str, Span], str | None],
     may_read: Callable[[str], bool] | None = None,
+    package_fault: PackageFault | None = None,
     fitter: Fitter | None = None,
     overlays: Sequence[Element] = (),
     wants_advice: Callable[[str], bool] | None = None,
@@ -71,6 +72,8 @@ def lower(
         resolve_mesh: gives the absolute path of a mesh file named at a span, or None if there is
             none; asked only when inertia is computed from the mesh.
         may_read: decides whether a file may be read that a mesh names; None allows all.
+        package_fault: gives, for a package that is not found, how to get it and where it was
+            looked for.
         fitter: takes the meshes that are made, and keeps what is worked out from meshes.
         overlays: what changes values of the robot, in this order.
         wants_advice: decides which advice to report; None for none.
@@ -101,7 +104,14 @@ def lower(
             hint="write robot: as the root, or <part>: for an XML element of that name",
             trace=_trace_of_part(root, first, places),
         )
-    lowering = lowering_of(root, reporter, resolve_mesh, may_read=may_read, fitter=fitter)
+    lowering = lowering_of(
+        root,
+        reporter,
+        resolve_mesh,
+        may_read=may_read,
+        fitter=fitter,
+        package_fault=package_fault,
+    )
     robot = _rebuilt(lowering, root, places, is_root=True)
     if lowering.fits and lowering.fitter.on_work is not None:
         lowering.fitter.on_work(1.0)
@@ -193,6 +203,7 @@ def lowering_of(
     *,
     may_read: Callable[[str], bool] | None,
     fitter: Fitter | None,
+    package_fault: PackageFault | None,
 ) -> Lowering:
     """Return a run for a robot; for the arguments see `lower`."""
     return Lowering(
@@ -202,6 +213,7 @@ def lowering_of(
         has_capsule=_has_capsule(root),
         fitter=fitter,
         root=root,
+        package_fault=package_fault,
     )
 
 

@@ -14,8 +14,8 @@ import pytest
 from tests.same_robot import is_same_robot
 from tests.waiting import PATIENCE
 from yamaro import api
-from yamaro.commands import reports as usage
 from yamaro.commands.main import main
+from yamaro.commands.reports import usage_told
 from yamaro.model.compare import Difference
 from yamaro.tools.migrate.urdf import Migration, report
 from yamaro.xml.tree import Element
@@ -38,7 +38,7 @@ model:
   link/name=base:
   part: {name: tip, joint: {type: fixed, parent: base, xyz: 0 0 1}}
 """
-USAGE = f"{usage.USAGE}\n"
+USAGE = usage_told("migrate") + "\n"
 
 
 @pytest.fixture(autouse=True)
@@ -222,7 +222,7 @@ def test_wrong_usage_is_told(
 
 def test_force_is_for_migrate_only(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["--force", "arm.yaml"]) == 2
-    told = f"yamaro: error: '--force' cannot be used with 'yamaro FILE'\n{USAGE}"
+    told = f"yamaro: error: '--force' cannot be used with 'yamaro FILE'\n{usage_told('build')}\n"
     assert capsys.readouterr().err == told
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 
+from ...commands.build import note_ending
 from ...commands.command_table import ENDINGS, FILE_WORDS, Command
 from ...commands.conversion import convert_file
 from ...commands.option_table import BUILDING, WRITING, Option
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
 
 OTHERS = ("decompose", "spheres")
 DEFAULT = "best"
+KEEPS = "a robot stays in its format, and YAML and xacro become URDF"
 PEEKED = 1 << 16
 """Bytes of a file in which the name of its outermost element is looked for."""
 
@@ -113,6 +115,8 @@ def run(arguments: Arguments, streams: Streams) -> int:
         if not streams.quiet:
             for line in table_of(build.robot.fits):
                 streams.say(line)
+            name = arguments.options["output"]
+            note_ending(name, build.format or "urdf", streams, KEEPS)
 
     return convert_file(
         arguments, streams, lambda build: build.encoded(), conclude=conclude, has_root=True

@@ -583,6 +583,6 @@ def _is_of(path: Path, owner: str) -> bool:
     for element in reversed(path):
         if owner in [format_value(element.attributes.get(name) or "") for name in NAMES]:
             return True
-        if "name" in element.attributes:
+        if "name" in element.attributes and element.name not in SHAPES:
             return False
     return False
