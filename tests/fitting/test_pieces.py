@@ -13,9 +13,11 @@ import trimesh
 from scipy.spatial import ConvexHull
 from trimesh import creation
 
+from yamaro.fitting.hull import hull_of
 from yamaro.fitting.lighter import FARTHEST, lighter
-from yamaro.fitting.pieces import MOST_CORNERS, decompose, hull_of
+from yamaro.fitting.pieces import MOST_CORNERS, decompose
 from yamaro.fitting.quality import quality_of
+from yamaro.fitting.sampling import Solid
 from yamaro.fitting.spheres import spheres_of
 from yamaro.meshes.encoding import stl_of
 from yamaro.meshes.formats import MeshFileError
@@ -113,12 +115,22 @@ def test_a_body_inside_of_another_changes_nothing() -> None:
     assert sum(each.volume for each in pieces) == pytest.approx(3)
 
 
-@pytest.mark.parametrize("name", BODIES)
-def test_the_hull_has_the_volume_of_the_hull(name: str) -> None:
-    body = turned(BODIES[name], seed=7)
-    hull = body_of(hull_of(mesh_of(body)))
-    assert hull.is_watertight
-    assert hull.volume == pytest.approx(body.convex_hull.volume, rel=1e-9)
+def rough() -> Any:
+    """Return a box whose edges and faces have corners that are nearly on them."""
+    body = creation.box((1, 0.5, 0.2)).subdivide().subdivide()
+    body.vertices += np.random.default_rng(5).normal(size=body.vertices.shape) * 1e-8
+    return body
+
+
+@pytest.mark.parametrize("name", [*BODIES, "rough"])
+def test_the_hull_is_that_of_the_mesh_also_in_single_precision(name: str) -> None:
+    body = turned(rough() if name == "rough" else BODIES[name], seed=7)
+    hull = hull_of(mesh_of(body))
+    written = trimesh.load(BytesIO(stl_of(hull)), file_type="stl")
+    assert written.is_watertight
+    assert written.is_convex
+    assert written.volume == pytest.approx(body.convex_hull.volume, rel=1e-6)
+    assert heights_over([hull], body.vertices).max() < 1e-6 * float(body.extents.max())
 
 
 @pytest.mark.slow
@@ -179,6 +191,20 @@ def test_a_lighter_mesh_is_near_the_first_one_or_has_more_triangles() -> None:
 FLAT = TriangleMesh([(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)], [(0, 1, 2), (1, 3, 2)])
 
 
+@pytest.mark.parametrize("name", BODIES)
+def test_triangles_far_away_count_together(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    body = turned(BODIES[name], seed=4)
+    body = body.subdivide().subdivide()
+    places = body.bounds[0] + np.random.default_rng(3).random((60, 3)) * body.extents
+    solid = Solid(body.vertices, body.faces)
+    is_in = solid.holds(places)
+    monkeypatch.setattr("yamaro.fitting.sampling.CLUSTERED", 0)
+    assert (solid.holds(places) == is_in).all()
+    if name in CONCAVE:
+        assert (solid.holds(places) == body.contains(places)).all()
+        assert solid.holds(body.triangles_center[::50]).all()
+
+
 @pytest.mark.parametrize("work", [hull_of, lambda mesh: decompose(mesh, 3)])
 def test_a_flat_mesh_has_no_pieces(work: Any) -> None:
     with pytest.raises(MeshFileError, match="flat"):
@@ -194,6 +220,7 @@ def test_flat_and_single_triangles_have_spheres() -> None:
 WORK = """
 import hashlib, trimesh
 from yamaro.fitting.pieces import decompose
+from yamaro.fitting.sampling import Solid
 from yamaro.fitting.spheres import spheres_of
 from yamaro.meshes.triangles import TriangleMesh
 body = trimesh.creation.annulus(0.8, 1.0, 2.0)

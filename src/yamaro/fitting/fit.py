@@ -206,7 +206,7 @@ def fitted(
     pieces: list[Placed | TriangleMesh]
     match wanted.word:
         case "fit" if wanted.kind == HULL:
-            from .pieces import hull_of
+            from .hull import hull_of
 
             pieces = [hull_of(mesh)]
         case "fit":
@@ -268,13 +268,15 @@ def _size(mesh: TriangleMesh) -> float:
     Raises:
         MeshFileError: it is a point, or not of this world.
     """
-    used = {index for triangle in mesh.triangles for index in triangle}
-    corners = [mesh.vertices[index] for index in used]
-    spans = [(min(axis), max(axis)) for axis in zip(*corners, strict=True)]
-    size: float = max(high - low for low, high in spans)
+    import numpy as np
+
+    from .sampling import arrays_of
+
+    corners, _ = arrays_of(mesh)
+    size = float(np.ptp(corners, axis=0).max())
     if not size > 0:
         raise MeshFileError("all its corners are at one point")
-    if not max(max(-low, high) for low, high in spans) <= LARGEST_COORDINATE:
+    if not abs(corners).max() <= LARGEST_COORDINATE:
         raise MeshFileError(
             f"it reaches farther than {LARGEST_COORDINATE / 1000:g} km; in other units than metres "
             "it needs its 'scale'"

@@ -117,7 +117,7 @@ class _Body:
         ways = np.concatenate([ways, -ways])
         farthest: list[int] = []
         for start in range(0, len(ways), 32):
-            farthest += np.argmax(points @ ways[start : start + 32].T, axis=0).tolist()
+            farthest += np.argmax(ways[start : start + 32] @ points.T, axis=1).tolist()
         self.outer = points[sorted(set(farthest))]
         middle = self.samples.mean(axis=0)
         spread = self.samples - middle

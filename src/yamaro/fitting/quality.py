@@ -15,10 +15,9 @@ import numpy as np
 from scipy.spatial import ConvexHull, QhullError
 
 from ..meshes.triangles import TriangleMesh, is_closed
-from ..model.inertia import solid_moments
 from ..model.pose import rotation_from_rpy
 from .primitives import Guess, distances
-from .sampling import arrays_of, seen, spread_over
+from .sampling import arrays_of, enclosed, seen, spread_over
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -42,6 +41,8 @@ CONVEX = 1e-4
 """How much less volume than its hull a convex mesh may have, as a part of it."""
 DEEP = 0.02
 """How deep in the pieces, by the size, points of the mesh count only if seen from outside."""
+MOST_PLANES = 5_000
+"""Planes of a convex piece with which points are compared, about; of more, some."""
 HAIR = 1e-6
 """How far outside of a piece points on its surface are looked at, as a part of its size."""
 DIGITS = 6
@@ -73,21 +74,11 @@ def quality_of(
                 outer = outer[other.distances(outer) > -1e-9]
         if len(outer):
             farthest = max(farthest, float(own.distances(outer).max()))
-    return float(f"{farthest:.{DIGITS}g}"), _excess(mesh, pairs)
-
-
-def _excess(mesh: TriangleMesh, pieces: Sequence[_Piece]) -> float | None:
-    if not is_closed(mesh):
-        return None
-    inside = abs(solid_moments(mesh).volume)
-    low, high = zip(
-        *[(min(axis), max(axis)) for axis in zip(*mesh.vertices, strict=True)], strict=True
-    )
-    size = max(b - a for a, b in zip(low, high, strict=True))
-    if inside <= 1e-9 * size**3:
-        return None
-    volume = pieces[0].volume() if len(pieces) == 1 else _volume_together(pieces)
-    return round(volume / inside - 1, DIGITS) + 0.0
+    inside = enclosed(points, triangles)
+    if inside <= 1e-9 * float(np.ptp(points, axis=0).max()) ** 3 or not is_closed(mesh):
+        return float(f"{farthest:.{DIGITS}g}"), None
+    volume = pairs[0].volume() if len(pairs) == 1 else _volume_together(pairs)
+    return float(f"{farthest:.{DIGITS}g}"), round(volume / inside - 1, DIGITS) + 0.0
 
 
 def _volume_together(pieces: Sequence[_Piece]) -> float:
@@ -200,7 +191,7 @@ class _Piece:
         if isinstance(piece, TriangleMesh):
             points, triangles = arrays_of(piece)
             self._surface = _Surface(points, triangles)
-            self._inside = _planes(points, abs(solid_moments(piece).volume))
+            self._inside = _planes(points, enclosed(points, triangles))
             return
         sizes = np.array(piece.shape.size)
         halves = sizes / 2 if piece.shape.kind == "box" else sizes / [1, 2][: len(sizes)]
@@ -216,12 +207,15 @@ class _Piece:
             return self._surface.distances(points)
         normals, heights = self._inside
         depth = np.empty(len(points))
+        every = -(-len(normals) // MOST_PLANES)
+        normals, heights = normals[::every], heights[::every]
         for start in range(0, len(points), 1024):
             some = points[start : start + 1024]
             depth[start : start + 1024] = (some @ normals.T - heights).max(axis=1)
-        is_outside = depth > 0
-        if is_outside.any():
-            depth[is_outside] = self._surface.distances(points[is_outside])
+        is_measured = (depth > 0) | (every > 1)
+        if is_measured.any():
+            apart = self._surface.distances(points[is_measured])
+            depth[is_measured] = np.where(depth[is_measured] > 0, apart, -apart)
         return depth
 
     def samples(self, count: int) -> Floats:
@@ -245,7 +239,7 @@ class _Piece:
     def volume(self) -> float:
         """Return the volume in m³."""
         if isinstance(self._piece, TriangleMesh):
-            return abs(solid_moments(self._piece).volume)
+            return enclosed(*arrays_of(self._piece))
         return self._piece.shape.volume()
 
     def bounds(self) -> tuple[Floats, Floats]:

@@ -24,6 +24,11 @@ CELLS = 24
 """Places along the longest side of the box around a solid."""
 ON_SURFACE = 0.4
 """Part of all directions in which a place sees the inside if it is not outside."""
+CLUSTERED, CLUSTERS = 20_000, 32
+"""Triangles that a solid has at least if those far away count together, and cells along its longest
+side for that."""
+FLAT = 1e-9
+"""How far from the plane of a triangle, by its size, a place is on it."""
 HIDDEN = 1.25
 """How often a surface is around its own parts that are inside: once and a half if they are flat."""
 VIEWS, PIXELS, DENSE = 40, 128, 60_000
@@ -68,6 +73,12 @@ def areas_of(points: Floats, triangles: Whole) -> Floats:
     sides = np.cross(b - a, c - a)
     areas: Floats = np.sqrt((sides * sides).sum(axis=1)) / 2
     return areas
+
+
+def enclosed(points: Floats, triangles: Whole) -> float:
+    """Return the volume that a closed surface encloses, summed over tetrahedra."""
+    a, b, c = np.moveaxis(points[triangles] - (points.min(axis=0) + points.max(axis=0)) / 2, 1, 0)
+    return abs(float((a * np.cross(b, c)).sum())) / 6
 
 
 def spread_over(points: Floats, triangles: Whole, count: int) -> tuple[Floats, Whole]:
@@ -237,19 +248,68 @@ class Solid:
     def holds(self, places: Floats) -> NDArray[np.bool_]:
         """Return whether places, N×3, are inside or on the surface; takes longer, but is exact.
 
+        Of many triangles those far from a place count as clusters, each as one flat piece.
+
         Source: A. van Oosterom, J. Strackee, The solid angle of a plane triangle, 1983. The solid
-        angles add up to 4π inside, and to 2π on a flat surface.
+        angles add up to 4π inside, and to 2π on a flat surface. Clusters: G. Barill et al., Fast
+        winding numbers for soups and clouds, 2018.
         """
         turns = np.zeros(len(places))
+        clusters = None
+        if len(places) and len(self.triangles) > CLUSTERED:
+            clusters = _Clusters(self.triangles, self.size / CLUSTERS)
         for index, place in enumerate(places):
-            a, b, c = np.moveaxis(self.triangles - place, 1, 0)
+            near = self.triangles
+            if clusters is not None:
+                near, turns[index] = clusters.around(place)
+            a, b, c = np.moveaxis(near - place, 1, 0)
             la, lb, lc = (np.sqrt((each * each).sum(axis=1)) for each in (a, b, c))
             over = (a * np.cross(b, c)).sum(axis=1)
-            under = la * lb * lc
+            lengths = la * lb * lc
+            over[abs(over) <= FLAT * lengths] = np.nan  # in its plane: no angle
+            under = lengths.copy()
             for one, two, length in ((a, b, lc), (b, c, la), (c, a, lb)):
                 under += (one * two).sum(axis=1) * length
-            turns[index] = np.arctan2(over, under).sum() / (2 * np.pi)
+            turns[index] += np.nansum(np.arctan2(over, under)) / (2 * np.pi)
         return turns > ON_SURFACE
+
+
+class _Clusters:
+    """Triangles, N×3×3, in the cells of a grid."""
+
+    __slots__ = ("_ends", "_middles", "_normals", "_reach", "_triangles")
+
+    def __init__(self, triangles: Floats, cell: float) -> None:
+        middles = triangles.mean(axis=1)
+        cells = np.floor((middles - middles.min(axis=0)) / cell).astype(np.int64)
+        numbers = cells @ np.array((1, 4 * CLUSTERS, 16 * CLUSTERS**2))
+        order = np.argsort(numbers, kind="stable")
+        starts = np.flatnonzero(np.diff(numbers[order], prepend=-1))
+        self._triangles = triangles[order]
+        self._ends = np.append(starts, len(order))
+        a, b, c = np.moveaxis(self._triangles, 1, 0)
+        normals = np.cross(b - a, c - a) / 2
+        areas = np.maximum(np.sqrt((normals * normals).sum(axis=1)), 1e-300)[:, None]
+        self._normals = np.add.reduceat(normals, starts)
+        sums = np.add.reduceat(areas * middles[order], starts)
+        self._middles = sums / np.add.reduceat(areas, starts)
+        own = np.repeat(self._middles, np.diff(self._ends), axis=0)[:, None]
+        apart = np.sqrt(((self._triangles - own) ** 2).sum(axis=2)).max(axis=1)
+        self._reach = np.maximum.reduceat(apart, starts)
+
+    def around(self, place: Floats) -> tuple[Floats, float]:
+        """Return the triangles near a place, and how often the others are around it."""
+        ahead = self._middles - place
+        apart = np.sqrt((ahead * ahead).sum(axis=1))
+        is_near = apart < 3 * self._reach
+        far = ~is_near
+        turns = ((self._normals[far] * ahead[far]).sum(axis=1) / apart[far] ** 3).sum()
+        chosen = [
+            self._triangles[self._ends[index] : self._ends[index + 1]]
+            for index in np.flatnonzero(is_near)
+        ]
+        near = np.concatenate(chosen) if chosen else self._triangles[:0]
+        return near, float(turns) / (4 * np.pi)
 
 
 def _turns(places: Floats, samples: Floats, normals: Floats, area: float) -> Floats:
