@@ -366,7 +366,7 @@ def _source_reader(request: Request) -> ReadSource:
             limits=request.options.policy.limits,
             reporter=request.reporter,
             model=request.options.model,
-            is_main=root.span.source is request.source,
+            is_part=request.is_part or root.span.source is not request.source,
         )
         return read_source(root, host)
 

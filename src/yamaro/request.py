@@ -61,13 +61,14 @@ class Request:
         fits: the shapes that were worked out from meshes so far.
         reporter: takes the warnings.
         adjustment: which codes are allowed and denied.
+        is_part: whether the robot of a main file in another format is to fit into others.
         file_name: what the file of the document is called: "" on standard output, None to call it
             like the robot.
     """
 
     __slots__ = (
-        "_folder", "_paths", "_run", "adjustment", "file_name", "finder", "fits", "options",
-        "packages", "places", "reporter", "source", "stem", "variables",
+        "_folder", "_paths", "_run", "adjustment", "file_name", "finder", "fits", "is_part",
+        "options", "packages", "places", "reporter", "source", "stem", "variables",
     )  # fmt: skip
 
     def __init__(
@@ -97,6 +98,7 @@ class Request:
         self.fits: dict[bytes, Fit] = {}
         self.reporter = Reporter()
         self.adjustment = options.adjustment
+        self.is_part = False
         self.file_name: str | None = ""
         self._folder = start
         if options.output is not None:

@@ -22,12 +22,12 @@ class Host:
         source: the main file.
         limits: how much the reader may use.
         model: the name of the model that is wanted of a file with several; None for the first.
-        is_main: whether the file is built, and not included or attached.
+        is_part: whether the robot is to be a part of another one: the file is included or attached.
         reporter: takes warnings.
         finder: finds the files of meshes and textures.
     """
 
-    __slots__ = ("_read", "finder", "is_main", "limits", "model", "reporter", "source")
+    __slots__ = ("_read", "finder", "is_part", "limits", "model", "reporter", "source")
 
     def __init__(
         self,
@@ -38,13 +38,13 @@ class Host:
         limits: Limits,
         reporter: Reporter,
         model: str | None = None,
-        is_main: bool = True,
+        is_part: bool = False,
     ) -> None:
         self.source = source
         self.finder = finder
         self.limits = limits
         self.model = model
-        self.is_main = is_main
+        self.is_part = is_part
         self.reporter = reporter
         self._read = read
 

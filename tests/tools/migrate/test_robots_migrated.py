@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from math import pi
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import yamaro
@@ -599,3 +600,41 @@ def test_a_hand_reads_as_its_maker_would_write_it(tmp_path: Path) -> None:
     made = tmp_path / "made.xml"
     made.write_text(yamaro.build(str(path.with_suffix(".yaml")), text=text, target="mjcf").xml())
     assert Comparison(str(path), str(made)).found == {}
+
+
+KEYS = """<mujoco model="arm"><worldbody><body name="base"><geom size="0.1"/>
+  <body name="upper"><joint name="a" range="-1 1"/><geom size="0.1"/>
+    <body name="fore"><joint name="b" type="ball"/><geom size="0.1"/></body>
+    <body name="slider"><joint name="c" type="slide"/><geom size="0.1"/></body></body></body>
+  </worldbody>
+  <actuator><position name="pa" joint="a" kp="3"/><position joint="c" kp="3"/></actuator>
+  <keyframe>
+    <key name="home" qpos="0.01 1 0 0 0 0.2"/>
+    <key name="held" qpos="0.01 1 0 0 0 0.2" ctrl="0.01 0.2"/>
+    <key name="fast" time="2" qpos="0 0.8 0.6 0 0 0.2" qvel="1 2 3 4 5" ctrl="0.1 0"/>
+  </keyframe></mujoco>"""
+
+
+def test_keyframes_are_those_of_a_robot_that_is_attached_twice(tmp_path: Path) -> None:
+    mujoco = pytest.importorskip("mujoco")
+    path = tmp_path / "arm.xml"
+    path.write_text(KEYS)
+    migration = migration_of(path)
+    assert migration.differences == []
+    (tmp_path / "arm.yaml").write_text(migration.text)
+    (tmp_path / "pair.yaml").write_text(
+        "robot: pair\nbase: fixed\nmodel:\n- link/name=table:\n"
+        "- attach: {path: arm.yaml, to: table, prefix: l_}\n"
+        "- attach: {path: arm.yaml, to: table, prefix: r_}\n"
+    )
+    build = yamaro.build(tmp_path / "pair.yaml", target="mjcf")
+    assert not [each.what for each in build.losses if "key" in each.what]
+    pair, arm = (mujoco.MjModel.from_xml_string(each) for each in (build.xml(), KEYS))
+    names = [pair.actuator(at).name for at in range(pair.nu)]
+    for key in ("home", "held", "fast"):
+        own, both = arm.key(key), pair.key(key)
+        np.testing.assert_allclose(both.qpos, np.tile(own.qpos, 2), atol=1e-12)
+        np.testing.assert_allclose(both.qvel, np.tile(own.qvel, 2), atol=1e-12)
+        for side in ("l_", "r_"):
+            mine = [name.startswith(side) for name in names]
+            np.testing.assert_allclose(both.ctrl[mine], own.ctrl, atol=1e-12)

@@ -119,7 +119,7 @@ class Builder:
         self.has_world = self._needs_world()
         kinds, refs = joint_kinds(world)
         self.drives = Drives(contexts, kinds)
-        if not host.is_main and any(each.inside(KEYFRAMES) for each in documents):
+        if host.is_part and any(each.inside(KEYFRAMES) for each in documents):
             self.drives.name_all()  # by which the keyframes say their controls
         driven = {name for name in kinds if self.drives.noted(name) is not None}
         self.mimics, self.equalities = read_mimics(contexts, kinds, refs, driven)

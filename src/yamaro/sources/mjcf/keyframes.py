@@ -11,14 +11,14 @@ from ...model import making
 from ...model.making import Place
 from ...model.pose import UNTURNED, quaternion_from_rotation
 from ...xml.tree import SAID, Element
-from .actuators import Drives
+from .actuators import POSITION, Drives
 from .blocks import kept
 from .compiler import fault, number, numbers
 from .tree import Context, Reader, joint_kinds, type_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Container, Iterable, Iterator
+    from collections.abc import Iterable, Iterator, Mapping
 
     from .building import Builder
     from .tree import Body, Placed, Thing
@@ -163,7 +163,7 @@ def keyframes(builder: Builder) -> Iterator[Element]:
                     _spread(context, thing, name, whole.by_name[name], own.by_name[name])
         element = kept(thing)
         stated = add_state(builder, context, thing, element, whole)
-        if not builder.host.is_main and whole.is_known and own.is_known:
+        if builder.host.is_part and whole.is_known and own.is_known:
             _say_by_names(builder, thing, element, whole, stated)
         yield element
 
@@ -214,8 +214,8 @@ def _spread(context: Context, thing: Thing, name: str, whole: Row, own: Row) -> 
 
 def add_state(
     builder: Builder, context: Context, key: Thing, element: Element, rows: Rows
-) -> set[str]:
-    """Note the positions of joints in a keyframe, as far as limits allow them; return the joints.
+) -> dict[str, float]:
+    """Note the positions of joints in a keyframe, as far as limits allow them; return them.
 
     Those of an attached document are the positions of its joints.
 
@@ -229,7 +229,7 @@ def add_state(
     row = numbers(key.given, QPOS, 0, 1 << 20)
     whole = rows.by_name[QPOS]
     if row is None or not key.name or len(row) != len(whole.rest):
-        return set()
+        return {}
     place = Place(key.span, {"name": key.name_span})
     at = Place(key.span, {"value": key.given[QPOS][1], "joint": key.name_span})
     children: list[Element] = []
@@ -252,15 +252,17 @@ def add_state(
         builder.rest.append(making.note("state", place, {"name": key.name}, children))
         if is_said:
             element.body = SAID
-    return {str(each.attributes["joint"]) for each in children}
+    return {
+        str(each.attributes["joint"]): float(str(each.attributes["value"])) for each in children
+    }
 
 
 def _say_by_names(
-    builder: Builder, key: Thing, element: Element, rows: Rows, stated: Container[str]
+    builder: Builder, key: Thing, element: Element, rows: Rows, stated: Mapping[str, float]
 ) -> None:
     """Let a keyframe of what is a part of a robot say its numbers by the names of what has them.
 
-    Positions that its state has are left out, and what rests.
+    Left out are positions and targets that its state has, and what rests.
     """
     found: dict[tuple[str, str], dict[str, str]] = {}
     given = {
@@ -269,11 +271,15 @@ def _say_by_names(
         if (values := numbers(key.given, name, 0, 1 << 20)) is not None
     }
 
-    def say(attribute: str, spot: Spot, home: tuple[str, str]) -> None:
+    given.setdefault(CTRL, rows.by_name[CTRL].rest)
+
+    def say(attribute: str, spot: Spot, home: tuple[str, str], rest: float = 0.0) -> None:
         start, width = rows.by_name[attribute].slots[spot]
         values = given[attribute][start : start + width]
-        if len(values) == width and (any(values) or attribute in (QPOS, CTRL)):
-            found.setdefault(home, {})[attribute] = " ".join(map(repr, values))
+        is_said = attribute == QPOS or any(value != rest for value in values)
+        if len(values) == width and is_said:
+            words = (repr(value).removesuffix(".0") for value in values)
+            found.setdefault(home, {})[attribute] = " ".join(words)
 
     for body in builder.world.iter():
         for joint in body.joints:
@@ -288,10 +294,13 @@ def _say_by_names(
         for attribute in (MPOS, MQUAT):
             if attribute in given and body.thing.spot in rows.by_name[attribute].slots:
                 say(attribute, body.thing.spot, ("body", body.name))
-    for thing, _ in builder.drives.all:
-        for attribute in given.keys() & {CTRL, ACT}:
-            say(attribute, thing.spot, ("actuator", thing.name))
-    for name in given:
+    for thing, drive in builder.drives.all:
+        is_target = drive is not None and drive.is_noted and drive.command == POSITION
+        home = ("actuator", thing.name)
+        say(CTRL, thing.spot, home, stated.get(drive.joint, 0.0) if drive and is_target else 0.0)
+        if ACT in given:
+            say(ACT, thing.spot, home)
+    for name in given.keys() & element.attributes.keys():
         del element.attributes[name]
     for (kind, name), said in found.items():
         element.children.append(Element(kind, element.span, {"name": name, **said}))

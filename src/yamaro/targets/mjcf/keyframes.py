@@ -133,7 +133,7 @@ def add_keyframes(writing: Writing) -> None:
     for number, each in enumerate(given):
         own = attribute_text(each, "name")
         name = f" {number}" if own is None else own
-        if each.elements():
+        if each.elements() or each.attributes.keys() <= {"name"}:
             known = fitting.get(name)
             if known is None and own is not None:
                 known = next((k for k in keys.elements() if names(k) == names(each)), None)
@@ -176,7 +176,7 @@ def _key_by_names(writing: Writing, given: Element, key: Element | None, rows: R
             slot = rows.slots.get((attribute, each.name, name or ""))
             numbers = numbers_of(each, attribute)
             is_there |= slot is not None
-            if slot is None or len(numbers) != slot[1]:
+            if slot is None or not numbers or len(numbers) != slot[1]:
                 is_there |= each.name == "body"  # which does not move freely here
                 continue
             if attribute not in found:

@@ -134,6 +134,7 @@ class Builder:
         library = Library(FileLoader(policy.limits, self._reach), rules_of(policy))
         source = read_main(path, text, library)
         request = Request(path, source, options, reach=self._reach, run=lambda work: work())
+        request.is_part = True  # a keyframe is to be that of its robot wherever it is attached
         return Lowered(Run(request, library, policy, ignore, target=self.format), self.format)
 
 
