@@ -208,6 +208,20 @@ def failure(
     return YamaroError([error])
 
 
+def given_twice(
+    message: str,
+    span: Span,
+    first: Span,
+    *,
+    hint: str = "remove one of the two",
+    trace: Frame | None = None,
+    fix: Fix | None = None,
+) -> YamaroError:
+    """Return the error for something that is given at a place, and at another one before."""
+    notes = (f"first given at {first.place()}",)
+    return failure("given-twice", message, span, hint=hint, notes=notes, trace=trace, fix=fix)
+
+
 def add_trace(error: YamaroError, frame: Frame | None) -> None:
     """Note how the run came to an error, unless an inner step has noted it already."""
     for diagnostic in error.diagnostics:

@@ -80,15 +80,16 @@ def check_outermost(child: Element, context: CheckContext) -> None:
         return
     near = _near_outermost(child)
     if near is not None:
-        from ..fixes import respelling
+        message = f"URDF has no element '{name}', so parsers ignore it"
+        report_misspelt(child, near, message, context)
 
-        context.report(
-            "unknown-element",
-            f"URDF has no element '{name}', so parsers ignore it",
-            child,
-            hint=f"did you mean '{near}'?",
-            fix=respelling(child.span, child.name, near),
-        )
+
+def report_misspelt(child: Element, near: str, message: str, context: CheckContext) -> None:
+    """Report an element whose name is nearly that of another one."""
+    from ..fixes import respelling
+
+    hint, fix = f"did you mean '{near}'?", respelling(child.span, child.name, near)
+    context.report("unknown-element", message, child, hint=hint, fix=fix)
 
 
 def _near_outermost(child: Element) -> str | None:

@@ -113,15 +113,10 @@ def check_spelling(
     near = next((each for each in known if is_near(child.name, each)), None)
     if child.name in known or near is None:
         return False
-    from ..fixes import respelling
+    from .outermost import report_misspelt
 
-    context.report(
-        "unknown-element",
-        f"'{child.name}' {where} has no meaning; {reader} ignores it",
-        child,
-        hint=f"did you mean '{near}'?",
-        fix=respelling(child.span, child.name, near),
-    )
+    message = f"'{child.name}' {where} has no meaning; {reader} ignores it"
+    report_misspelt(child, near, message, context)
     return True
 
 

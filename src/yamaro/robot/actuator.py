@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from math import isfinite, tau
 
-from ..diagnostics import YamaroError, failure, unknown_word
+from ..diagnostics import YamaroError, failure, given_twice, unknown_word
 from ..model.joint import PRISMATIC
 from ..model.schema import ACTUATOR, COMMANDS, OF_MOTOR
 from ..motors import MOTORS, spelled
@@ -255,12 +255,10 @@ def _read(lowering: Lowering, keys: dict[str, Element]) -> Values:
         if first is not None and second is not None:
             earlier, later = sorted((first, second), key=[*keys].index)
             what = "the armature is" if first == "armature" else "the gains are"
-            raise failure(
-                "given-twice",
+            raise given_twice(
                 f"{what} given twice: by '{earlier}', and by '{later}'",
                 keys[later].span,
-                hint="remove one of the two",
-                notes=[f"first given at {keys[earlier].span.place()}"],
+                keys[earlier].span,
                 trace=keys[later].trace,
             )
     return values

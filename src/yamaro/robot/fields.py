@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnostics import YamaroError, failure, suggest
+from ..diagnostics import YamaroError, failure, given_twice, suggest
 from ..model.schema import ELEMENTS, RECORDS, SENSORS
 from ..model.schema import SENSOR as ANY_SENSOR
 from ..xml.tree import Comment, Element, RawBlock, Text
@@ -369,14 +369,7 @@ def check_once(lowering: Lowering, first: Element, second: Element) -> None:
     ):
         return
     lowering.absorb(
-        failure(
-            "given-twice",
-            f"'{second.name}' is given twice",
-            second.span,
-            hint="remove one of the two",
-            notes=(f"first given at {first.span.place()}",),
-            trace=second.trace,
-        )
+        given_twice(f"'{second.name}' is given twice", second.span, first.span, trace=second.trace)
     )
 
 
@@ -765,11 +758,6 @@ _RECORD_EXAMPLES = {
 
 
 def _attribute_twice(key: Element, name: str, span: Span, record: Record) -> YamaroError:
-    return failure(
-        "given-twice",
-        f"'{name}' of '{key.name}' is given twice",
-        span,
-        hint="remove one of the two",
-        notes=(f"first given at {record.span(name).place()}",),
-        trace=key.trace,
+    return given_twice(
+        f"'{name}' of '{key.name}' is given twice", span, record.span(name), trace=key.trace
     )

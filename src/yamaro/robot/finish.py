@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnostics import ERROR, Diagnostic, YamaroError, did_you_mean, failure
+from ..diagnostics import ERROR, Diagnostic, YamaroError, did_you_mean, failure, given_twice
 from ..model.joint import LIMITED
 from ..model.positions import HOME
 from ..model.reading import read_robot
@@ -152,12 +152,10 @@ def _check(lowering: Lowering, names: _LinkTree, note: RobotNote) -> None:
             first = seen.setdefault(name, joint)
             if first is not joint:  # such as by its part's name too
                 lowering.absorb(
-                    failure(
-                        "given-twice",
+                    given_twice(
                         f"the state '{name_of(note)}' has two positions of the joint '{name}'",
                         joint.value_span("joint"),
-                        hint="remove one of the two",
-                        notes=[f"first given at {first.value_span('joint').place()}"],
+                        first.value_span("joint"),
                         trace=note.trace,
                     )
                 )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import pi
 
-from ..diagnostics import YamaroError, failure
+from ..diagnostics import YamaroError, failure, given_twice
 from ..model.joint import CONTINUOUS
 from ..model.schema import (
     ELEMENTS,
@@ -132,12 +132,10 @@ def _read_type(lowering: Lowering, key: Element, fields: Fields) -> JointType:
     attribute = key.attributes.get("type")
     type_key = fields.keys.get("type")
     if attribute is not None and type_key is not None:
-        raise failure(
-            "given-twice",
+        raise given_twice(
             "the joint's 'type' is given twice",
             type_key.span,
-            hint="remove one of the two",
-            notes=(f"first given at {key.value_span('type').place()}",),
+            key.value_span("type"),
             trace=type_key.trace,
         )
     if type_key is not None:

@@ -7,7 +7,7 @@ change the names in it with all others. At the end the notes are taken out.
 
 from __future__ import annotations
 
-from ..diagnostics import YamaroError, failure, unknown_word
+from ..diagnostics import YamaroError, failure, given_twice, unknown_word
 from ..xml.tree import Comment, Element, RawBlock, RobotNote, Text
 from ..xml.values import LiteralList, Numbers, format_value
 from .fields import other_word, read_value, with_attributes, word_of
@@ -158,13 +158,12 @@ def lower_joint_words(
         if second.body is not actuators[0].body:
             continue
         lowering.absorb(
-            failure(
-                "given-twice",
+            given_twice(
                 "a joint has one actuator, and this is another one",
                 second.span,
+                actuators[0].span,
                 hint="remove one of the two; hardware with several commands has a list of them: "
                 "command: [position, velocity]",
-                notes=[f"first given at {actuators[0].span.place()}"],
                 trace=second.trace,
             )
         )
@@ -205,12 +204,10 @@ def given_once(word: Element, known: Collection[str] | None = None) -> dict[str,
     keys: dict[str, Element] = {}
     for key in word.elements():
         if key.name in keys and keys[key.name].body is key.body:
-            raise failure(
-                "given-twice",
+            raise given_twice(
                 f"'{key.name}' is given twice in this `{word.name}`",
                 key.span,
-                hint="remove one of the two",
-                notes=[f"first given at {keys[key.name].span.place()}"],
+                keys[key.name].span,
                 trace=word.trace,
             )
         keys[key.name] = key
@@ -387,12 +384,10 @@ def _faults_of(
             trace=trace,
         ).diagnostics
     if drive is not None and armature.values[0] and ARMATURE in drive.attributes:
-        return failure(
-            "given-twice",
+        return given_twice(
             "the armature is given twice: by the actuator of the joint, and by its 'dynamics'",
             span,
-            hint="remove one of the two",
-            notes=[f"first given at {drive.value_span(ARMATURE).place()}"],
+            drive.value_span(ARMATURE),
             trace=trace,
         ).diagnostics
     return []

@@ -8,7 +8,7 @@ was given before, and the overlay: `OverlaidSpan`.
 
 from __future__ import annotations
 
-from ..diagnostics import WARNING, Diagnostic, YamaroError, failure, unknown_word
+from ..diagnostics import WARNING, Diagnostic, YamaroError, failure, given_twice, unknown_word
 from ..model.joint import CONTINUOUS, PRISMATIC
 from ..model.pose import ZERO, Pose, rotation_about, rotation_from_quaternion, unit_vector
 from ..model.schema import (
@@ -142,12 +142,11 @@ class Overlaid:
                 try:
                     index = self._find(kind, key)
                     if index in found:
-                        raise failure(
-                            "given-twice",
+                        raise given_twice(
                             f"'{key.name}' and '{found[index].name}' are the same {kind}",
                             key.span,
+                            found[index].span,
                             hint="put its values under one of the two",
-                            notes=[f"first given at {found[index].span.place()}"],
                             trace=self.lowering.trace,
                         )
                     found[index] = key
@@ -443,12 +442,10 @@ class Overlaid:
                     first, second = sorted(
                         (keys[name], inner[name]), key=lambda each: each.span.start
                     )
-                    raise failure(
-                        "given-twice",
+                    raise given_twice(
                         f"'{name}' of '{key.name}' is given twice",
                         second.span,
-                        hint="remove one of the two",
-                        notes=[f"first given at {first.span.place()}"],
+                        first.span,
                         trace=self.lowering.trace,
                     )
             keys |= inner

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnostics import Reporter, failure, suggest
+from ..diagnostics import Reporter, failure, given_twice, suggest
 from ..source import Source, Span
 from ..yaml.nodes import MappingNode, ScalarNode, SequenceNode
 from ..yaml.reader import read_on
@@ -152,12 +152,11 @@ def _parse_robot_name(
     key: ScalarNode, node: ScalarNode, document: Document, context: ParseContext
 ) -> None:
     if document.robot_name is not None:
-        raise failure(
-            "given-twice",
+        raise given_twice(
             "the robot's name is given twice",
             key.span(),
+            document.robot_name.span,
             hint="keep one `robot:`",
-            notes=[f"first given at {document.robot_name.span.place()}"],
         )
     if document.root is not None:
         _refuse_two_roots(key, document, context)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnostics import failure, unknown_word
+from ..diagnostics import failure, given_twice, unknown_word
 from ..source import Span
 from ..yaml.nodes import MappingNode, ScalarNode
 from .context import ParseContext
@@ -263,12 +263,11 @@ def refuse_repeated(arguments: Iterable[Argument]) -> None:
     for argument in arguments:
         assert argument.name is not None
         if argument.name in seen:
-            raise failure(
-                "given-twice",
+            raise given_twice(
                 f"the argument '{argument.name}' is given twice",
                 argument.span,
+                seen[argument.name].span,
                 hint="keep one of the two",
-                notes=[f"first given at {seen[argument.name].span.place()}"],
             )
         seen[argument.name] = argument
 

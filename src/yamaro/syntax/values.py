@@ -6,7 +6,7 @@ call, a `name:=value` of the command line. It reads as a YAML scalar or flow col
 
 from __future__ import annotations
 
-from ..diagnostics import failure, unknown_word
+from ..diagnostics import failure, given_twice, unknown_word
 from ..source import Span
 from ..yaml.brackets import find_close
 from ..yaml.nodes import DOUBLE, PLAIN, MappingNode, ScalarNode, SequenceNode, is_null, type_plain
@@ -214,12 +214,11 @@ class Entries:
 def refuse_twice(first: tuple[ScalarNode, YamlNode] | None, key: ScalarNode, what: str) -> None:
     """Raise YamaroError if an entry that is meant once was there before."""
     if first is not None:
-        raise failure(
-            "given-twice",
+        raise given_twice(
             f"'{key.text}' is given twice in this `{what}`",
             key.span(),
+            first[0].span(),
             hint="keep one of the two",
-            notes=[f"first given at {first[0].span().place()}"],
         )
 
 
