@@ -292,9 +292,13 @@ def lower_surfaces(
             )
             places: dict[str, Span] = {}
             note.value_spans = places
-            for key in keys.values():
-                field = SURFACE.fields[key.name]
-                note.attributes[key.name], places[key.name] = read_field(lowering, field, key)
+            for name, key in keys.items():
+                try:
+                    found = read_field(lowering, SURFACE.fields[name], key)
+                except YamaroError as error:
+                    lowering.absorb(error)
+                    continue
+                note.attributes[name], places[name] = found
             out.append(note)
         except YamaroError as error:
             lowering.absorb(error)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import isfinite
 
-from ..diagnostics import failure, suggest
+from ..diagnostics import YamaroError, failure, suggest
 from ..model.shapes import COUNTS, SIMPLE_SHAPES, SIZES, MeshSolid
 from ..xml.tree import Element, Text
 from ..xml.values import Numbers, format_value, is_number
@@ -15,6 +15,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from ..diagnostics import Diagnostic
     from ..meshes.triangles import TriangleMesh
     from ..model.inertia import SolidMoments
     from ..model.shapes import Solid
@@ -205,20 +206,27 @@ def _read_sizes(
     words: list[str] = []
     values: list[float] = []
     written: list[float] = []
+    faults: list[Diagnostic] = []
     for name in SIZES[kind]:
         size = given[name]
-        value, spans[name] = read_value(size)
-        numbers = read_numbers(
-            lowering,
-            value,
-            spans[name],
-            count=COUNTS[kind] if len(given) == 1 else 1,
-            name="size of a box" if name == "size" else name,
-            trace=size.trace,
-        )
+        try:
+            value, spans[name] = read_value(size)
+            numbers = read_numbers(
+                lowering,
+                value,
+                spans[name],
+                count=COUNTS[kind] if len(given) == 1 else 1,
+                name="size of a box" if name == "size" else name,
+                trace=size.trace,
+            )
+        except YamaroError as error:
+            faults += error.diagnostics
+            continue
         words += numbers.words
         values += numbers.values
         written += numbers.written
+    if faults:
+        raise YamaroError(faults)
     return Numbers(tuple(words), tuple(values), tuple(written))
 
 

@@ -11,10 +11,11 @@ from ..xml.values import Numbers, remember
 from .fields import Fields, read_record, refuse_misspelt
 from .geometry import section_geometry, solid_shape
 from .numbers import read_attribute, read_numbers
-from .pose import Pose, compose_poses, origin_element, pose_at, read_pose
+from .pose import NO_POSE, Pose, compose_poses, origin_element, pose_at, read_pose
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from ..diagnostics import Diagnostic
     from ..model.shapes import Solid
     from ..source import Span
     from ..xml.tree import Node
@@ -61,27 +62,42 @@ def lower_inertial(
     Raises:
         YamaroError: no mass, no shape to compute the inertia from, or faulty numbers.
     """
-    pose = compose_poses(link_pose, read_pose(lowering, fields))
+    faults: list[Diagnostic] = []
+    pose, mass, mass_element = NO_POSE, 0.0, None
+    try:
+        pose = compose_poses(link_pose, read_pose(lowering, fields))
+    except YamaroError as error:
+        faults += error.diagnostics
     body = _Body(lowering, owner, fields, link_geometry)
-    mass_element, mass = _mass(lowering, owner, fields, link_mass, body)
-    inertia_element = fields.plain.get("inertia")
+    try:
+        mass_element, mass = _mass(lowering, owner, fields, link_mass, body)
+    except YamaroError as error:
+        faults += error.diagnostics
+    inertia_key, inertia_element = fields.keys.get("inertia"), fields.plain.get("inertia")
+    shape = None
     if inertia_element is None:
-        inertia_key = fields.keys.get("inertia")
-        if inertia_key is not None:
-            inertia_element = _given_inertia(lowering, inertia_key)
-        else:
-            shape = body.shape("the inertia is computed from it")
-            pose = compose_poses(pose, pose_at(shape.center()))
-            moments = shape.inertia(mass)
-            if not all(map(isfinite, moments)):
-                raise _too_large(owner)
-            written = lowering.inertias.get(moments)
-            if written is None:
-                written = tuple([Numbers.of(value) if value else ZERO for value in moments])
-                remember(lowering.inertias, moments, written)
-            inertia_element = Element(
-                "inertia", owner.span, dict(zip(MOMENTS, written, strict=True)), [], owner.trace
-            )
+        try:
+            if inertia_key is not None:
+                inertia_element = _given_inertia(lowering, inertia_key)
+            elif all(each.code != "missing-geometry" for each in faults):
+                shape = body.shape("the inertia is computed from it")
+        except YamaroError as error:
+            faults += error.diagnostics
+    if faults or mass_element is None:
+        raise YamaroError(faults)
+    if inertia_element is None:
+        assert shape is not None, "there is no fault"
+        pose = compose_poses(pose, pose_at(shape.center()))
+        moments = shape.inertia(mass)
+        if not all(map(isfinite, moments)):
+            raise _too_large(owner)
+        written = lowering.inertias.get(moments)
+        if written is None:
+            written = tuple([Numbers.of(value) if value else ZERO for value in moments])
+            remember(lowering.inertias, moments, written)
+        inertia_element = Element(
+            "inertia", owner.span, dict(zip(MOMENTS, written, strict=True)), [], owner.trace
+        )
     origin = fields.plain.get("origin") or origin_element(pose, owner)
     children: list[Node] = [] if origin is None else [origin]
     children += (mass_element, inertia_element)

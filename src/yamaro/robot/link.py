@@ -21,6 +21,7 @@ from .pose import NO_POSE, Pose, compose_poses, origin_element, read_pose
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from ..diagnostics import Diagnostic
     from ..xml.tree import Node
     from .lowering import Lowering
 
@@ -112,12 +113,22 @@ def _lower_section(lowering: Lowering, key: Element, frame: LinkFrame) -> list[E
     fields = sort_fields(lowering, key, VISUAL if key.name == "visual" else COLLISION)
     if fields.has_text:
         return [key]
-    pose = compose_poses(frame.pose, read_pose(lowering, fields))
+    faults: list[Diagnostic] = []
+    pose = NO_POSE
+    try:
+        pose = compose_poses(frame.pose, read_pose(lowering, fields))
+    except YamaroError as error:
+        faults += error.diagnostics
     geometry = fields.plain.get("geometry")
     shape = None
     if geometry is None:
-        shape = section_geometry(lowering, fields, frame.geometry)
-        if shape is None:
+        try:
+            shape = section_geometry(lowering, fields, frame.geometry)
+        except YamaroError as error:
+            faults += error.diagnostics
+        if shape is not None:
+            geometry = shape.element
+        elif not faults:
             raise failure(
                 "missing-geometry",
                 f"this {key.name} has no geometry, and its link has none to inherit",
@@ -125,19 +136,21 @@ def _lower_section(lowering: Lowering, key: Element, frame: LinkFrame) -> list[E
                 hint="write geometry: box and scale: 0.4 0.3 0.2, in the link or in the section",
                 trace=key.trace,
             )
-        geometry = shape.element
     children: list[Node] = []
     for child in fields.rest:
-        if type(child) is Element and child.name == "material" and not child.verbatim:
-            from .material import lower_material
+        try:
+            if type(child) is Element and child.name == "material" and not child.verbatim:
+                from .material import lower_material
 
-            children.append(lowering.once(child, lower_material))
-        elif type(child) is Element and child.name == "color" and key.name == "visual":
-            children.append(_material_of_color(lowering, child, fields))
-        elif key.name == "collision" and is_surface(child):
-            continue  # a note beside the link
-        else:
-            children.append(child)
+                children.append(lowering.once(child, lower_material))
+            elif type(child) is Element and child.name == "color" and key.name == "visual":
+                children.append(_material_of_color(lowering, child, fields))
+            elif key.name != "collision" or not is_surface(child):  # a note beside the link
+                children.append(child)
+        except YamaroError as error:
+            faults += error.diagnostics
+    if faults or geometry is None:
+        raise YamaroError(faults)
     if not WORKED_OUT.isdisjoint(fields.keys):
         from .fits import fitted_sections
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 from math import isfinite
 from operator import add
 
-from ..diagnostics import failure
+from ..diagnostics import YamaroError, failure
 from ..model.pose import (
     ZERO,
     multiply,
@@ -25,7 +25,7 @@ from .numbers import NEGLIGIBLE, format_component, read_numbers
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ..diagnostics import Frame
+    from ..diagnostics import Diagnostic, Frame
     from ..model.pose import Rotation, Vector
     from ..source import Span
     from .fields import Fields
@@ -105,11 +105,21 @@ def read_pose(lowering: Lowering, fields: Fields) -> Pose:
     if key is None:
         return NO_POSE
     spans: dict[str, Span] = {}
-    xyz = _read_vector(lowering, xyz_key, spans) if xyz_key is not None else None
-    rpy = _read_vector(lowering, rpy_key, spans) if rpy_key is not None else None
-    if quat_key is not None:
-        rpy = _turned(_read_vector(lowering, quat_key, spans), rpy, spans, quat_key.trace)
-    pivot = _read_vector(lowering, pivot_key, spans) if pivot_key is not None else None
+    try:
+        xyz = _read_vector(lowering, xyz_key, spans) if xyz_key is not None else None
+        rpy = _read_vector(lowering, rpy_key, spans) if rpy_key is not None else None
+        if quat_key is not None:
+            rpy = _turned(_read_vector(lowering, quat_key, spans), rpy, spans, quat_key.trace)
+        pivot = _read_vector(lowering, pivot_key, spans) if pivot_key is not None else None
+    except YamaroError as error:
+        faults: list[Diagnostic] = []
+        for each in (xyz_key, rpy_key, quat_key, pivot_key):
+            try:
+                if each is not None:
+                    _read_vector(lowering, each, spans)
+            except YamaroError as own:
+                faults += own.diagnostics
+        raise YamaroError(faults or error.diagnostics) from None
     return _place(xyz, rpy, pivot, key.span, spans)
 
 
