@@ -108,3 +108,13 @@ def test_a_default_made_of_a_property_of_its_name_was_lost(tmp_path: Path) -> No
         "q.xacro": "<link name='b'><x>$(arg side)</x></link>",
     }
     holds(tmp_path, files, "side:=0.75")
+
+
+def test_a_property_made_of_one_of_an_arguments_name_was_made_of_the_argument(
+    tmp_path: Path,
+) -> None:
+    text = (
+        '<xacro:arg name="len" default="2"/><xacro:property name="len" value="${$(arg len) * 2}"/>'
+        '<xacro:property name="more" value="${len + 1}"/><link name="a_${more}"/>'
+    )
+    holds(tmp_path, {"r.xacro": text}, "len:=5")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+from collections import Counter
 from contextlib import contextmanager
 
 from ....model.compare import is_used, prefixes_in
@@ -46,7 +47,7 @@ from .statements import (
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable, Container, Iterator
     from contextlib import AbstractContextManager
 
     from ....source import Span
@@ -568,14 +569,16 @@ def _take_later_variables(writer: FileWriter, model: Body, declared: Body) -> No
 
     They are defined once, and made of nothing but variables above that are.
     """
-    for entry in [entry for entry in model if entry.key == "variables"]:
-        assert isinstance(entry.value, Body)
-        variables = entry.value
+    found = [(entry, entry.value) for entry in model if entry.key == "variables"]
+    blocks = [(entry, value) for entry, value in found if isinstance(value, Body)]
+    below = Counter(name for _, variables in blocks for name in names_of(variables))
+    for entry, variables in blocks:
         if variables.remark or variables.opening or entry.ending:
             continue
         first = variables.entries[0] if variables.entries else None
         for own in list(variables):
-            if _depends_on_nothing(writer, own, declared):
+            if _depends_on_nothing(writer, own, declared, below):
+                below -= Counter(names_of([own]))
                 comment = entry.comment if own is first else ""
                 if own is first:
                     entry.comment = ""
@@ -586,8 +589,13 @@ def _take_later_variables(writer: FileWriter, model: Body, declared: Body) -> No
             model.entries.remove(entry)
 
 
-def _depends_on_nothing(writer: FileWriter, variable: Entry, declared: Body) -> bool:
-    """Return whether a variable may as well be declared above the model."""
+def _depends_on_nothing(
+    writer: FileWriter, variable: Entry, declared: Body, below: Container[str]
+) -> bool:
+    """Return whether a variable may as well be declared above the model, with those `below` in it.
+
+    What it is made of may have the name of an argument, and be declared in the model.
+    """
     program = writer.program
     (name,) = names_of([variable])
     known = names_of(declared)
@@ -601,6 +609,7 @@ def _depends_on_nothing(writer: FileWriter, variable: Entry, declared: Body) -> 
     fixed = {own for own in (name, *made_of) if own not in program.assigned_from_inside}
     return (
         made_of <= known
+        and not any(own in below for own in made_of)
         and not late
         and len(fixed) == 1 + len(made_of)
         and program.times_defined.get(name, 1) == (2 if id(variable) in writer.choices else 1)
