@@ -10,7 +10,7 @@ from .files.loader import FileLoader, LoadError
 from .options import OF_FILES, Options, UsageError, explains_variables, merged_variables
 from .pipeline import run_pipeline
 from .policy import NO_JAIL, UNSAFE
-from .request import Request, reach_of, read_main
+from .request import Request, main_path, reach_of, read_main
 from .runtime.files import Library, rules_of
 from .sandbox.deep_stack import run_on_deep_stack
 from .sandbox.process import RareCollection
@@ -62,7 +62,7 @@ class Program(Public):
             UsageError: an option makes no sense, such as a code that cannot be allowed or denied.
         """
         self.options = options = options or Options(**keywords)
-        self.path = path = os.fspath(path)
+        self.path = path = main_path(os.fspath(path), options.packages or {})
         policy, loader = options.policy, options.loader
         self._reach: Reach | None
         if isinstance(loader, FileLoader) and loader.reach and not policy.is_trusted:

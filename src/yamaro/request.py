@@ -41,6 +41,7 @@ if TYPE_CHECKING:
     Run = Callable[[Callable[[], bytes]], bytes]
 
 
+PACKAGE = "package://"
 _OF_THIS_MACHINE = (
     "hidden-package", "large-mesh", "missing-extra", "missing-mesh-file", "unknown-package",
 )  # fmt: skip
@@ -177,6 +178,24 @@ def read_main(path: str, text: str | None, library: Library) -> Source:
         if error.hint is not None:
             raise refusal_of_main(path, error) from None
         raise UsageError(f"cannot read '{path}': {error}") from error
+
+
+def main_path(path: str, packages: Mapping[str, str]) -> str:
+    """Return the path of a main file, which may be named as `package://NAME/PATH`.
+
+    Raises:
+        UsageError: there is no such package.
+    """
+    if not path.startswith(PACKAGE):
+        return path
+    from .files.packages import package_hint
+
+    finder = PackageFinder(given=packages)
+    found = finder.resolve_uri(path, os.getcwd())
+    if found is None:
+        name = path.removeprefix(PACKAGE).partition("/")[0]
+        raise UsageError(f"there is no package '{name}'; {package_hint(name)}")
+    return found
 
 
 def refusal_of_main(name: str, error: LoadError) -> YamaroError:

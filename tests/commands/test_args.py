@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 from jsonschema import Draft202012Validator
 
+import yamaro
 from yamaro.commands.main import main
 
 ARM = """\
@@ -202,6 +203,24 @@ def test_arguments_of_xacro_are_those_of_its_includes_too(
     assert found["required"] == ["must"]
     assert found["properties"]["name"] == {"default": "ur5"}
     assert found["properties"]["late"] == {"x-default": "${1 + 1}"}
+
+
+def test_a_file_can_be_named_by_its_package(
+    capsys: pytest.CaptureFixture[str], folder: Path
+) -> None:
+    (folder / "own").mkdir()
+    (folder / "own" / "package.xml").write_text("<package><name>own</name></package>")
+    (folder / "own" / "robot.yaml").write_text("robot: r\narguments: {size: {default: 1}}")
+    for words in (("--package", "own:=own"), ("--package", "own:=own", "--safe")):
+        status, out, err = outcome(capsys, "args", "package://own/robot.yaml", *words[:2])
+        assert (status, out.split()[0], err) == (0, "size:=1", "")
+        assert outcome(capsys, "package://own/robot.yaml", "-q", *words)[0] == 0
+    status, out, err = outcome(capsys, "package://owm/robot.yaml", "--package", "own:=own")
+    assert status == 2
+    assert "there is no package 'owm'" in err
+    assert yamaro.build("package://own/robot.yaml", packages={"own": "own"}).robot.name == "r"
+    with pytest.raises(yamaro.UsageError, match="there is no package 'other'"):
+        yamaro.build("package://other/robot.yaml")
 
 
 def test_an_include_outside_of_what_may_be_read_is_passed_over(

@@ -117,6 +117,15 @@ def parse_arguments(argv: Sequence[str]) -> Arguments:
             for other in option.excludes:
                 if arguments.has(name) and arguments.has(other):
                     raise WrongUsage(f"'--{name}' and '--{other}' cannot be combined")
+    if any(word.startswith("package://") for word in arguments.words):
+        from ..options import UsageError
+        from ..request import main_path
+
+        packages = read_packages(arguments)
+        try:
+            arguments.words = [main_path(word, packages) for word in arguments.words]
+        except UsageError as error:
+            raise WrongUsage(str(error)) from None
     command = arguments.known_command
     if command.words and command.counts_words:
         check_words(arguments, command)
