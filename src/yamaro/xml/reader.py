@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
 
 _OF_SDF = re.compile(r"<sdf[\s>]")
+_FIRST_TAG = re.compile(r"<([A-Za-z]\w*)")
+_OF_MUJOCO = ("mujoco", "mujocoinclude")
 _LATE_DECLARATION = re.compile(r"\A\s+<\?xml\s[^>]*?\?>")
 _COMMENT = re.compile(r"<!--(.*?)-->", re.DOTALL)
 _DECLARATION = re.compile(r"<\?xml\s[^>]*?\?>")
@@ -131,8 +133,10 @@ def read_xml(source: Source, limits: Limits | None = None, *, exact: bool = Fals
     try:
         return XmlReader(source, limits, exact, source.text).read()
     except YamaroError as error:
-        # Gazebo's parser takes these faults, so that its users do not see them.
-        if error.diagnostics[0].code != "xml-syntax" or not _OF_SDF.search(source.text):
+        # The parsers of Gazebo and MuJoCo take these faults, so that their users do not see them.
+        first = _FIRST_TAG.search(_COMMENT.sub("", source.text))
+        is_taken = (first is not None and first[1] in _OF_MUJOCO) or _OF_SDF.search(source.text)
+        if error.diagnostics[0].code != "xml-syntax" or not is_taken:
             raise
         # A text of the same length without `--` in comments, and space before `<?xml`.
         text = source.text

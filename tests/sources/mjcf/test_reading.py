@@ -436,3 +436,19 @@ def test_urdf_reports_loops_and_is_written(tmp_path) -> None:
     path = saved(tmp_path, LOOP.format('<weld name="l" body1="a" body2="b"/>'))
     build = yamaro.build(str(path), target="urdf", on_message=lambda line: None)
     assert "loops" in [loss.what for loss in build.losses]
+
+
+def test_dashes_in_comments_are_taken_as_mujoco_takes_them() -> None:
+    mujoco = pytest.importorskip("mujoco")
+    text = (
+        '\n<?xml version="1.0"?><!-- one -- two --->\n<mujoco><!-- a --- b -- > c -->'
+        '<worldbody><body name="arm"><geom size="0.1"/></body></worldbody></mujoco>'
+    )
+    assert mujoco.MjModel.from_xml_string(text).nbody == 2
+    build = yamaro.build("arm.xml", text=text)
+    assert [*build.robot.links] == ["arm"]
+    assert build.robot.links["arm"].span.place().startswith("arm.xml:3:")
+    with pytest.raises(yamaro.YamaroError, match="xml-syntax"):
+        yamaro.build(
+            "arm.urdf", text='<robot name="r"><!-- <mujoco> -- --><link name="a"/></robot>'
+        )
