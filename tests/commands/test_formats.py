@@ -238,6 +238,7 @@ def test_an_input_is_not_replaced(capsys: pytest.CaptureFixture[str]) -> None:
         (["--to", ","], "'--to' needs output formats: urdf, sdf, mjcf, srdf, usd"),
         (["--to", "sdf,mjcf"], "several output formats need a folder: -o out/"),
         (["--to", "sdf,mjcf", "-o", "a.txt"], "'a.txt' is a file, and several output formats"),
+        (["--to", "urdf,mjcf", "-o", "b.xml"], "'b.xml' has the name of a file, and several"),
         (["--to", "mjcf", "--sdf-version", "1.9"], "'--sdf-version' needs --to sdf"),
         (
             ["--to", "sdf", "--sdf-version", "1.7"],

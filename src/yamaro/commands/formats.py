@@ -82,18 +82,25 @@ def is_folder(arguments: Arguments, formats: list[str]) -> bool:
     slash; and where one is there.
 
     Raises:
-        WrongUsage: it has to be one, and is a file.
+        WrongUsage: it has to be one, and is a file or is called as one.
     """
     path = arguments.output_path
     has_slash = path.endswith((os.sep, os.altsep or os.sep))
     needs_one = len(formats) > 1 or any(TARGETS[each].is_folder for each in formats)
     is_one = has_slash or needs_one or os.path.isdir(path)
-    if is_one and os.path.exists(path) and not os.path.isdir(path):
+    is_file = os.path.exists(path) and not os.path.isdir(path)
+    is_named_so = False
+    if needs_one and not is_file and not os.path.isdir(path):
+        files = [target for target in TARGETS.values() if not target.is_folder]
+        ending = os.path.splitext(path)[1].lower()
+        is_named_so = any(ending in (each.ending, *each.endings) for each in files)
+    if is_one and (is_file or is_named_so):
         name = quote(arguments.options["output"])
         what = "several output formats need"
         if len(formats) == 1:
             what = f"{TARGETS[formats[0]].title} needs"
-        raise WrongUsage(f"{name} is a file, and {what} a folder: -o out/")
+        is_called = "is a file" if is_file else "has the name of a file"
+        raise WrongUsage(f"{name} {is_called}, and {what} a folder: -o out/")
     return is_one
 
 
