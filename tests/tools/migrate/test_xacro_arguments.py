@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from tests.same_robot import is_same_robot
-from tests.tools.migrate.against_xacro import migrated_for, model_of
+from tests.tools.migrate.against_xacro import migrated_for, model_of, moved
 from tests.tools.migrate.test_xacro_migration import HEAD, migrated
 from yamaro import build
 from yamaro.codes import ADJUSTABLE
@@ -237,3 +237,13 @@ def test_a_truth_value_of_eval_is_written_as_xacro_writes_it(tmp_path: Path) -> 
         "",
         "true",
     )
+
+
+def test_a_list_for_an_argument_that_is_used_as_a_text_is_told(tmp_path: Path) -> None:
+    text = (
+        '<xacro:arg name="names" default="a b"/><xacro:property name="own" value="$(arg names)"/>'
+        '<link name="l_${own[0]}"/>'
+    )
+    made = moved(tmp_path, {"r.xacro": text})
+    assert not made.has_section
+    assert any("[1, 2] is a text to xacro and a list" in line for line in remarks_on(made))

@@ -442,9 +442,10 @@ def remarks_on(migration: XacroMigration) -> list[str]:
     for name in migration.texts[:1]:
         others = migration.texts[1:]
         also = f"; so for {', '.join(others)}" if others else ""
+        lists = "" if migration.has_section else "; [1, 2] is a text to xacro and a list to them"
         lines.append(
             f"with {name}:=true xacro writes True, and with {name}:=01 it writes 1; the sources "
-            f"write the text as it is given{also}"
+            f"write the text as it is given{lists}{also}"
         )
     if not migration.is_compared_with_xacro:
         lines.append("compared with Yamaro's own expansion; with yamaro[xacro], with xacro's")
