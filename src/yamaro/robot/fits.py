@@ -67,6 +67,14 @@ def fitted_sections(
             trace=asked.trace,
         )
     wanted = _wanted(lowering, asked, fields)
+    if geometry.scale is not None and 0 in geometry.scale.values:
+        raise failure(
+            "bad-size",
+            f"a mesh of the scale '{geometry.scale.text}' has no shape",
+            geometry.scale_span,
+            hint="no factor can be 0",
+            trace=geometry.key.trace,
+        )
     _show_progress(lowering)
     fit = worked_out(
         lowering,

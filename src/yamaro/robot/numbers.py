@@ -244,7 +244,7 @@ def layout_of(name: str) -> str:
         "rgba": f"{rgba.parts}, each from 0 to 1",
         "inertia": f"{' '.join(MOMENTS)}, in kg·m²",
         "size of a box": f"{ELEMENTS['box'].fields['size'].parts}, in metres",
-        "scale of a mesh": "a factor for x, y and z",
+        "scale of a mesh": "a factor for x, y and z, or one for all",
     }.get(name, "")
 
 

@@ -255,11 +255,14 @@ def _wrong_dimension(
     takes = " or ".join(dict.fromkeys(map(_plural, dimensions)))
     is_named = not name_of(dimension).startswith("in ")
     what = f"is {name_of(dimension)};" if is_named else "does not fit:"
+    hint = _units_hint(dimensions) or "leave the unit out"
+    if wanted.taker == "the scale of a mesh" and NUMBER in dimensions:
+        hint = f"write {word} alone, for x, y and z"
     return failure(
         "unit-dimension",
         f"'{unit}' {what} {wanted.taker} takes {takes}",
         _within(place, word, len(word) - len(unit), len(word)),
-        hint=_units_hint(dimensions) or "leave the unit out",
+        hint=hint,
         trace=trace,
     )
 
