@@ -262,7 +262,7 @@ def _say_by_names(
 ) -> None:
     """Let a keyframe of what is a part of a robot say its numbers by the names of what has them.
 
-    Left out are positions and targets that its state has, and what rests.
+    Positions that its state has are left out, and what rests.
     """
     found: dict[tuple[str, str], dict[str, str]] = {}
     given = {
@@ -276,7 +276,7 @@ def _say_by_names(
     def say(attribute: str, spot: Spot, home: tuple[str, str], rest: float = 0.0) -> None:
         start, width = rows.by_name[attribute].slots[spot]
         values = given[attribute][start : start + width]
-        is_said = attribute == QPOS or any(value != rest for value in values)
+        is_said = attribute == QPOS or bool(rest) or any(values)
         if len(values) == width and is_said:
             words = (repr(value).removesuffix(".0") for value in values)
             found.setdefault(home, {})[attribute] = " ".join(words)
