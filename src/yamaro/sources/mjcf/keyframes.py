@@ -271,6 +271,7 @@ def _say_by_names(
         if (values := numbers(key.given, name, 0, 1 << 20)) is not None
     }
 
+    has_controls = CTRL in given
     given.setdefault(CTRL, rows.by_name[CTRL].rest)
 
     def say(attribute: str, spot: Spot, home: tuple[str, str], rest: float = 0.0) -> None:
@@ -297,7 +298,8 @@ def _say_by_names(
     for thing, drive in builder.drives.all:
         is_target = drive is not None and drive.is_noted and drive.command == POSITION
         home = ("actuator", thing.name)
-        say(CTRL, thing.spot, home, stated.get(drive.joint, 0.0) if drive and is_target else 0.0)
+        target = stated.get(drive.joint, 1.0) if drive and is_target else 0.0
+        say(CTRL, thing.spot, home, 1.0 if has_controls else target)  # zeros where a state has none
         if ACT in given:
             say(ACT, thing.spot, home)
     for name in given.keys() & element.attributes.keys():
