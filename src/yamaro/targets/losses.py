@@ -185,12 +185,13 @@ def code_of(kind: str, format: str) -> str:
 
 def _diagnostic(group: Sequence[Loss], format: str, severity: str) -> Diagnostic:
     first, title = group[0], TARGETS[format].title
-    how, said = first.how, f"{first.what} are renamed in {title}"
+    what = f"{first.what} {'is' if first.what.startswith('noise ') else 'are'}"
+    how, said = first.how, f"{what} renamed in {title}"
     if first.kind == LOST:
-        said = f"{first.what} are lost in {title}"
+        said = f"{what} lost in {title}"
         said += f"; written instead: {how}" if how else ""
     elif first.kind == APPROXIMATED:
-        said = f"{first.what} are approximated in {title}"
+        said = f"{what} approximated in {title}"
         said += f" by {how}" if how else ""
     others = len({loss.owner for loss in group}) - 1
     count = f" and {others} other{'s' if others > 1 else ''}" if others else ""
