@@ -12,7 +12,7 @@ from math import pi
 from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy.spatial import ConvexHull, QhullError
+from scipy.spatial import ConvexHull, QhullError, cKDTree
 
 from ..meshes.triangles import TriangleMesh, is_closed
 from ..model.pose import rotation_from_rpy
@@ -105,8 +105,7 @@ class _Surface:
     """
 
     __slots__ = (
-        "_found_in", "_long", "_middle", "_points", "_points_in", "_squares", "_triangles",
-        "normals", "samples",
+        "_found_in", "_long", "_points", "_tree", "_triangles", "normals", "samples",
     )  # fmt: skip
 
     def __init__(self, points: Floats, triangles: Whole) -> None:
@@ -121,12 +120,14 @@ class _Surface:
         lengths = np.linalg.norm(normals, axis=1)
         self.normals = normals / np.where(lengths > 0, lengths, 1.0)[:, None]
         self._found_in = np.concatenate([found_in, np.arange(0, len(middles), step)])
-        self._middle = samples.mean(axis=0)
-        self._points_in = np.concatenate([samples, middles[::step]]) - self._middle
-        self._squares = (self._points_in**2).sum(axis=1)
+        self._tree = cKDTree(np.concatenate([samples, middles[::step]]))
         reach = np.sqrt(((points[triangles] - middles[:, None]) ** 2).sum(axis=2)).max(axis=1)
         chosen = np.argsort(-reach, kind="stable")[:MOST_LONG]
-        self._long = chosen, middles[chosen] - self._middle, reach[chosen]
+        octaves = np.ceil(np.log2(np.maximum(reach[chosen], 1e-300)))
+        self._long: list[tuple[Whole, cKDTree, float]] = []
+        for octave in np.unique(octaves):
+            some = chosen[octaves == octave]
+            self._long.append((some, cKDTree(middles[some]), float(reach[some].max())))
 
     def distances(self, points: Floats) -> Floats:
         """Return the distances of points to the triangles.
@@ -137,20 +138,17 @@ class _Surface:
         found = []
         for start in range(0, len(points), 256):
             some = points[start : start + 256]
-            local = some - self._middle
-            apart = self._squares - 2 * (local @ self._points_in.T)
-            count = min(NEAREST, apart.shape[1])
-            nearest = np.argpartition(apart, count - 1, axis=1)[:, :count]
+            count = min(NEAREST, len(self._found_in))
+            nearest = self._tree.query(some, k=[*range(1, count + 1)])[1]
             corners = self._points[self._triangles[self._found_in[nearest]]]
             least = _to_triangles(some[:, None, :], corners).min(axis=1)
-            chosen, middles, reach = self._long
-            if len(chosen):
-                squares = (local * local).sum(axis=1)[:, None] + (middles * middles).sum(axis=1)
-                squares -= 2 * (local @ middles.T)
-                bound = (least[:, None] + reach) ** 2
-                which, near = np.nonzero(squares < bound)
-                corners = self._points[self._triangles[chosen[near]]]
-                np.minimum.at(least, which, _to_triangles(some[which], corners))
+            for chosen, tree, reach in self._long:
+                lists = tree.query_ball_point(some, least + reach)
+                which = np.repeat(np.arange(len(some)), [*map(len, lists)])
+                if len(which):
+                    near = chosen[np.concatenate(lists).astype(int)]
+                    corners = self._points[self._triangles[near]]
+                    np.minimum.at(least, which, _to_triangles(some[which], corners))
             found.append(least)
         return np.concatenate(found) if found else np.zeros(0)
 
