@@ -304,7 +304,7 @@ def test_a_file_that_is_missing_is_told_with_where_it_was_looked_for() -> None:
     error = fault(files, "arm.xacro")
     assert (error.code, error.message) == (
         "missing-file",
-        "the file 'hnd.xacro' cannot be included: the file does not exist",
+        "the file 'hnd.xacro' cannot be read: the file does not exist",
     )
     assert (error.span.written(), error.hint) == ("hnd.xacro", "did you mean 'hand.xacro'?")
     assert error.notes == (f"searched for {os.path.join(AT, 'hnd.xacro')}",)

@@ -331,7 +331,7 @@ class XacroHost:
             near = self._files.neighbours(absolute)
             raise failure(
                 error.code,
-                f"the file '{os.path.basename(path)}' cannot be included: {error}",
+                f"the file '{os.path.basename(path)}' cannot be read: {error}",
                 span,
                 hint=error.hint or did_you_mean(os.path.basename(absolute), near),
                 notes=[f"searched for {absolute}"],
