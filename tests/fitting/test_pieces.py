@@ -205,6 +205,13 @@ def test_triangles_far_away_count_together(name: str, monkeypatch: pytest.Monkey
         assert solid.holds(body.triangles_center[::50]).all()
 
 
+def test_spheres_of_a_tiny_mesh_have_a_size() -> None:
+    body = creation.box((1e-9, 1e-9, 1e-9))
+    for cover in (False, True):
+        ((_, radius),) = spheres_of(mesh_of(body), 1, cover=cover)
+        assert 0.5e-9 < radius < 0.9e-9
+
+
 @pytest.mark.parametrize("work", [hull_of, lambda mesh: decompose(mesh, 3)])
 def test_a_flat_mesh_has_no_pieces(work: Any) -> None:
     with pytest.raises(MeshFileError, match="flat"):

@@ -11,6 +11,7 @@ taken away, and put where others reach out the farthest.
 
 from __future__ import annotations
 
+from math import floor, log10
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -64,11 +65,12 @@ def spheres_of(mesh: TriangleMesh, count: int, *, cover: bool) -> list[tuple[Vec
     else:
         radii = radii - best.outside / 2
     order = np.argsort(-np.round(radii / solid.size, DIGITS), kind="stable")
-    slack = 1e-9 if cover else 0.0
+    decimals = max(9, 6 - floor(log10(solid.size)))
+    slack = 10.0**-decimals if cover else 0.0
     found = []
     for index in order:
-        x, y, z = (round(float(each), 9) for each in best.centers[index])
-        found.append(((x, y, z), round(float(radii[index]) + 2 * slack, 9)))
+        x, y, z = (round(float(each), decimals) for each in best.centers[index])
+        found.append(((x, y, z), round(float(radii[index]) + 2 * slack, decimals)))
     return found
 
 
