@@ -13,9 +13,10 @@ import trimesh
 from scipy.spatial import ConvexHull
 from trimesh import creation
 
+from yamaro.fitting.corners import MOST_CORNERS
 from yamaro.fitting.hull import hull_of
 from yamaro.fitting.lighter import FARTHEST, lighter
-from yamaro.fitting.pieces import MOST_CORNERS, decompose
+from yamaro.fitting.pieces import decompose
 from yamaro.fitting.quality import quality_of
 from yamaro.fitting.sampling import Solid
 from yamaro.fitting.spheres import spheres_of

@@ -97,29 +97,38 @@ def lighter(mesh: TriangleMesh, most: int, *, size: float = 0.0) -> TriangleMesh
     """
     if len(mesh.triangles) <= most:
         return mesh
+    points, triangles = arrays_of(mesh)
+    size = max(size, float(np.ptp(points, axis=0).max()))
+    wanted = float(most)
+    while wanted < len(triangles):
+        found = collapsed(points, triangles, int(wanted))
+        if len(found[1]) <= wanted:
+            other = _mesh_of(*found)
+            if quality_of(mesh, [other])[0] <= FARTHEST * size:
+                return other
+        wanted *= STEP
+    return mesh
+
+
+def collapsed(points: Floats, triangles: Whole, most: int) -> tuple[Floats, Whole]:
+    """Return corners and triangles, about `most`, near those of a mesh; all if there are no such.
+
+    Raises:
+        MissingLibraryError: fast-simplification is not installed.
+    """
     try:
         from fast_simplification import simplify
     except ImportError as error:
         raise MissingLibraryError("fast-simplification") from error
-    points, triangles = arrays_of(mesh)
-    low = points.min(axis=0)
-    size = max(size, float(np.ptp(points, axis=0).max()))
-    unit = (points - low) / size
-    wanted = float(most)
-    while wanted < len(triangles):
-        for haste in HASTES:
-            found, corners = simplify(
-                unit, triangles.astype(np.int32), target_count=int(wanted), agg=haste
-            )
-            corners = np.asarray(corners, int)
-            corners = corners[(np.diff(np.sort(corners, axis=1), axis=1) > 0).all(axis=1)]
-            if 0 < len(corners) <= wanted:
-                other = _mesh_of(np.asarray(found, float) * size + low, corners)
-                if quality_of(mesh, [other])[0] <= FARTHEST * size:
-                    return other
-                break
-        wanted *= STEP
-    return mesh
+    low, size = points.min(axis=0), float(np.ptp(points, axis=0).max())
+    unit, rows = (points - low) / size, triangles.astype(np.int32)
+    for haste in HASTES:
+        found, corners = simplify(unit, rows, target_count=most, agg=haste)
+        corners = np.asarray(corners, int)
+        corners = corners[(np.diff(np.sort(corners, axis=1), axis=1) > 0).all(axis=1)]
+        if 0 < len(corners) <= most:
+            return np.asarray(found, float) * size + low, corners
+    return points, triangles
 
 
 def _mesh_of(points: Floats, triangles: Whole) -> TriangleMesh:

@@ -1,12 +1,13 @@
-"""Convex pieces of meshes: the convex hull, and a decomposition into several hulls.
+"""Convex pieces of meshes.
 
-Planes cut the mesh, and a piece is the hull of what is on one side of each of some planes: of the
-surface there, and of the points in the solid where three planes meet. The farthest points of the
-solid between planes are among these. So pieces contain the surface by construction, also where it
-is open or not a manifold, and the solid. Where no plane saves much, as in a tube, the next ones are
-looked at as well. More pieces are cut than asked for, and those merged whose common hull is the
-least larger. Source of that: K. Mamou, F. Ghorbel, A simple and efficient approach for 3D mesh
-approximate convex decomposition, ICIP 2009.
+Planes cut the mesh into parts, and a piece is the hull of some of these: of the surface in them,
+and of the points in the solid where three of their planes meet. The farthest points of the solid
+between planes are among these. So pieces contain the surface by construction, also where it is open
+or not a manifold, and the solid. Where no plane saves much, as in a tube, the next ones are looked
+at as well. More pieces are cut than asked for, and those merged whose common hull is the least
+larger; then pieces are cut and merged again as long as that makes them smaller. Source of merging:
+K. Mamou, F. Ghorbel, A simple and efficient approach for 3D mesh approximate convex decomposition,
+ICIP 2009.
 """
 
 from __future__ import annotations
@@ -15,148 +16,58 @@ from itertools import combinations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy.spatial import ConvexHull, HalfspaceIntersection, QhullError, cKDTree
+from scipy.spatial import ConvexHull, QhullError
 
 from ..meshes.formats import MeshFileError
 from ..meshes.triangles import TriangleMesh, is_closed
-from .sampling import Solid, arrays_of
+from .corners import hull_mesh, simplified
+from .lighter import collapsed
+from .sampling import Solid, areas_of, arrays_of
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Sequence
+
+    from numpy.typing import NDArray
 
     from .sampling import Floats, Whole
 
-MOST_CORNERS = 64
-"""Corners of a piece: more than that PhysX does not take on a GPU."""
-FEW = 2_000
-"""Triangles that are all used to choose planes."""
-CELLS = 40
-"""Cells along the longest side of a mesh, of whose corners one is used to choose planes."""
-CUTS = 9
+FEW, MANY = 2_000, 20_000
+"""Triangles by which planes are chosen, and by which the pieces between them are measured."""
+CUTS = 15
 """Planes that are tried along each direction, and again around the best one."""
+FINER = 2
+"""How often planes are tried around the best one, nearer each time."""
+KINDS = 4
+"""Directions of which the best plane is tried for a piece that is cut again."""
 SPARE = 1.5
 """How many times as many pieces are cut as asked for, before they are merged."""
+AGAIN = 8
+"""Pieces that are cut again, those with the most empty space."""
+STEPS = 12
+"""How often pieces are cut and merged again at most."""
 BALANCE = 0.03
 """How much planes count that cut a piece in parts of equal size, as against those that save."""
 LITTLE = 0.03
 """Part of a piece that a cut has to save; else the next cuts are looked at as well."""
+AHEAD = 0.02
+"""Part of the whole hull that is empty in a piece for which the next cuts are looked at."""
+DEEP = 0.003
+"""How deep the surface of a piece has to be in its hull, by the size of the whole, to be cut."""
 WORTH = 0.004
-"""Part of the hull's volume that one more piece has to save."""
+"""Part of the whole hull that one more piece has to save."""
+BETTER = 1e-4
+"""Part of the whole hull that cutting and merging again has to save."""
 PARALLEL = 1e-6
 """The volume that three unit normals span, below which their planes do not meet in one point."""
-NEAR = 1e-6
-"""Corners that are as near as this, by the size of their piece, are one."""
-LOW = (1e-5, 1e-4, 5e-4, 2e-3)
-"""Corners that are not higher above the hull of the others go: the first that is enough."""
-DENT = 4e-6
-"""How far a corner may be above the next triangle in single precision, by the size of a piece."""
+SAME = 0.9999
+"""The cosine of the angle between directions from which on only one of them is tried."""
+ALIKE = 0.01
+"""How far unit normals of one flat side are apart."""
 NO_POINTS, NO_PLANES = np.empty((0, 3)), np.empty((0, 4))
-NO_TRIANGLES = np.empty((0, 3, 3))
 DIGITS = 9
 """Digits by which volumes are compared, so that equal ones are equal on all machines."""
 Split = tuple[float, "Floats", float]
 """How good a plane is to cut a piece with, its normal, and its place along that."""
-
-
-class Piece:
-    """The part of a solid between planes, and the hull around it.
-
-    Attributes:
-        triangles: the surface there, N×3×3, in metres.
-        coarse: the same with few triangles, by which planes are chosen.
-        solid: what is cut, the same for all pieces.
-        planes: those around it, each as its normal, which points outward, and its place along
-            that, N×4.
-        deep: where three of these planes meet in the solid, N×3.
-        inner: places of a grid that are in the solid and in this part, N×3.
-        corners: those of the hull of `coarse` and `deep`, N×3.
-        volume: of that hull.
-        split: how good the best plane is, its normal and its place along that; None before it was
-            looked for.
-    """
-
-    __slots__ = (
-        "coarse", "corners", "deep", "inner", "planes", "solid", "split", "triangles", "volume",
-    )  # fmt: skip
-
-    def __init__(
-        self,
-        triangles: Floats,
-        coarse: Floats,
-        solid: Solid,
-        inner: Floats,
-        planes: Floats = NO_PLANES,
-        deep: Floats = NO_POINTS,
-    ) -> None:
-        self.triangles = triangles
-        self.coarse = coarse
-        self.solid = solid
-        self.inner = inner
-        self.planes = planes
-        self.deep = deep
-        self.corners, self.volume = _hull(np.concatenate([coarse.reshape(-1, 3), deep]))
-        self.split: Split | None = None
-
-    def points(self) -> tuple[Floats, Floats]:
-        """Return the corners of the surface in the piece, and the other points it has to hold."""
-        return self.triangles.reshape(-1, 3), self.deep
-
-    def parts(self) -> list[Piece]:
-        """Return the two parts that the best plane makes."""
-        assert self.split is not None
-        _, normal, place = self.split
-        (met,) = self.met(normal, [place])
-        return self._cut(normal, place, self.triangles, met[self.solid.holds(met)])
-
-    def ahead(self, split: Split) -> float:
-        """Return the volume that a plane saves, with the next one in each of its parts."""
-        gain, normal, place = split
-        (met,) = self.met(normal, [place])
-        saved = gain * self.volume
-        for part in self._cut(normal, place, NO_TRIANGLES, met[self.solid.is_near(met)]):
-            if part.volume > 0:
-                saved += part.volume * max(each[0] for each in _scans(part))
-        return saved
-
-    def _cut(self, normal: Floats, place: float, triangles: Floats, met: Floats) -> list[Piece]:
-        fine = cut(triangles, normal, place)
-        coarse = cut(self.coarse, normal, place)
-        found = []
-        for number, sign in enumerate((1.0, -1.0)):
-            plane = sign * np.append(normal, place)
-            deep = self.deep[sign * (self.deep @ normal - place) <= 0]
-            inner = self.inner[sign * (self.inner @ normal - place) <= 0]
-            planes = np.vstack([self.planes, plane])
-            deep = np.concatenate([deep, met])
-            found.append(Piece(fine[number], coarse[number], self.solid, inner, planes, deep))
-        return found
-
-    def met(self, normal: Floats, places: Sequence[float] | Floats) -> list[Floats]:
-        """Return the points where each of parallel planes meets two of those around the piece."""
-        found: list[Floats] = [NO_POINTS] * len(places)
-        for first, second in combinations(self.planes, 2):
-            line = np.cross(first[:3], second[:3])
-            slope = float(line @ normal)
-            if abs(slope) < PARALLEL:
-                continue
-            across, along = np.cross(second[:3], normal), np.cross(normal, first[:3])
-            middle = first[3] * across + second[3] * along
-            points = (middle + np.outer(places, line)) / slope
-            above = points @ self.planes[:, :3].T - self.planes[:, 3]
-            is_met = (above <= 1e-9 * self.solid.size).all(axis=1)
-            for index in np.flatnonzero(is_met):
-                found[index] = np.vstack([found[index], points[index]])
-        return found
-
-
-def hull_of(mesh: TriangleMesh) -> TriangleMesh:
-    """Return the convex hull of a mesh, closed, seen from outside.
-
-    Raises:
-        MeshFileError: the mesh has no triangles, or is flat.
-    """
-    points, _ = arrays_of(mesh)
-    return _hull_mesh(points)
 
 
 def decompose(mesh: TriangleMesh, count: int) -> list[TriangleMesh]:
@@ -166,48 +77,30 @@ def decompose(mesh: TriangleMesh, count: int) -> list[TriangleMesh]:
 
     Raises:
         MeshFileError: the mesh has no triangles, or is flat.
+        MissingLibraryError: fast-simplification is not installed, and there are many triangles.
     """
     points, indices = arrays_of(mesh)
     triangles = points[indices]
-    solid = Solid(points, indices)
-    whole = Piece(triangles, _coarse(points, indices), solid, solid.inner)
+    search = _Search(points, indices)
+    whole = search.whole
     if not whole.volume > 0:
         raise MeshFileError("it is flat, so that no convex piece has a volume")
-    least = WORTH * whole.volume
-    if whole.volume - _volume(triangles) < least and is_closed(mesh):
-        count = 1
     pieces = [whole]
-    while count > 1 and len(pieces) < SPARE * count:
-        # By what is empty in them: of a ring the first plane saves nothing.
-        empty = [round((e.volume - len(e.inner) * solid.cell) / least, DIGITS) for e in pieces]
-        index = max(range(len(pieces)), key=lambda i: empty[i])
-        if empty[index] < 1 / SPARE or not _find_cut(pieces[index]):
-            break
-        pieces[index : index + 1] = pieces[index].parts()
+    excess = whole.volume - _volume(triangles)
+    if count > 1 and not (excess < WORTH * whole.volume and is_closed(mesh)):
+        pieces = search.improved(search.merged(search.split(pieces, SPARE * count), count), count)
     found = [
-        _hull(np.vstack([points for each in group for points in each.points()]))
-        for group in _merged(pieces, count, least)
+        _hull(np.vstack([points for part in piece.parts for points in part.points(triangles)]))
+        for piece in pieces
     ]
     found.sort(key=lambda each: -each[1])
-    return [_hull_mesh(simplified(corners)) for corners, _ in found]
+    return [hull_mesh(simplified(corners)) for corners, _ in found]
 
 
 def _volume(triangles: Floats) -> float:
     """Return what a closed surface encloses, N×3×3, summed over tetrahedra."""
     a, b, c = np.moveaxis(triangles - triangles.mean(axis=(0, 1)), 1, 0)
     return abs(float((a * np.cross(b, c)).sum())) / 6
-
-
-def _coarse(points: Floats, indices: Whole) -> Floats:
-    """Return triangles of a mesh whose corners are one if they are in the same cell of a grid."""
-    if len(indices) <= FEW:
-        return points[indices]
-    cells = np.floor((points - points.min(axis=0)) * (CELLS / np.ptp(points, axis=0).max()))
-    numbers = (cells @ (1, 2 * CELLS, 4 * CELLS * CELLS)).astype(np.int64)
-    _, first, cell = np.unique(numbers, return_index=True, return_inverse=True)
-    corners = np.sort(cell[indices], axis=1)
-    corners = np.unique(corners[(np.diff(corners, axis=1) > 0).all(axis=1)], axis=0)
-    return points[first[corners]] if len(corners) else points[indices]
 
 
 def _hull(points: Floats) -> tuple[Floats, float]:
@@ -219,6 +112,320 @@ def _hull(points: Floats) -> tuple[Floats, float]:
     except (QhullError, ValueError):
         return np.unique(points, axis=0), 0.0
     return points[found.vertices], float(found.volume)
+
+
+# --- parts and pieces -------------------------------------------------------------------------
+
+
+class Part:
+    """What is between planes.
+
+    Attributes:
+        coarse: the surface there with few triangles, by which planes are chosen, N×3×3, in metres.
+        fine: the same with more triangles.
+        inner: places of a grid that are in the solid and in this part, N×3.
+        planes: those around it, each as its normal, which points outward, and its place along
+            that, N×4.
+        deep: where three of these planes meet in the solid, N×3.
+    """
+
+    __slots__ = ("coarse", "deep", "fine", "inner", "planes")
+
+    def __init__(
+        self,
+        coarse: Floats,
+        fine: Floats,
+        inner: Floats,
+        planes: Floats = NO_PLANES,
+        deep: Floats = NO_POINTS,
+    ) -> None:
+        self.coarse = coarse
+        self.fine = fine
+        self.inner = inner
+        self.planes = planes
+        self.deep = deep
+
+    def points(self, triangles: Floats) -> tuple[Floats, Floats]:
+        """Return the corners of a surface in the part, and the other points it has to hold."""
+        for plane in self.planes:
+            triangles, _ = cut(triangles, plane[:3], plane[3])
+        return triangles.reshape(-1, 3), self.deep
+
+    def halves(self, normal: Floats, place: float, solid: Solid) -> tuple[Part | None, Part | None]:
+        """Return what is below a plane and above it: the whole part where the other is empty."""
+        (met,) = self.met(normal, [place], solid.size)
+        met = met[solid.holds(met)]
+        found = []
+        coarse, fine = cut(self.coarse, normal, place), cut(self.fine, normal, place)
+        for side, sign in enumerate((1.0, -1.0)):
+            deep = self.deep[sign * (self.deep @ normal - place) <= 0]
+            inner = self.inner[sign * (self.inner @ normal - place) <= 0]
+            planes = np.vstack([self.planes, sign * np.append(normal, place)])
+            deep = np.concatenate([deep, met])
+            found.append(Part(coarse[side], fine[side], inner, planes, deep))
+        below, above = found
+        if not len(above.fine):
+            return self, None
+        return (below, above) if len(below.fine) else (None, self)
+
+    def met(self, normal: Floats, places: Sequence[float] | Floats, size: float) -> list[Floats]:
+        """Return the points where each of parallel planes meets two of those around the part."""
+        found: list[Floats] = [NO_POINTS] * len(places)
+        for first, second in combinations(self.planes, 2):
+            line = np.cross(first[:3], second[:3])
+            slope = float(line @ normal)
+            if abs(slope) < PARALLEL:
+                continue
+            across, along = np.cross(second[:3], normal), np.cross(normal, first[:3])
+            middle = first[3] * across + second[3] * along
+            points = (middle + np.outer(places, line)) / slope
+            above = points @ self.planes[:, :3].T - self.planes[:, 3]
+            is_met = (above <= 1e-9 * size).all(axis=1)
+            for index in np.flatnonzero(is_met):
+                found[index] = np.vstack([found[index], points[index]])
+        return found
+
+
+class Piece:
+    """Parts of a solid, and the hull around them.
+
+    Attributes:
+        number: which piece it is of all that were looked at.
+        parts: what is in it.
+        corners: those of the hull of their surfaces and deep points.
+        volume: of that hull.
+        empty: the volume of that hull outside of the solid, about.
+        splits: planes to cut it with, the best first; None before they were looked for.
+        halves: what these make of it, by their place in `splits`.
+    """
+
+    __slots__ = ("corners", "empty", "halves", "number", "parts", "splits", "volume")
+
+    def __init__(
+        self, number: int, parts: list[Part], cell: float, hull: tuple[Floats, float] | None
+    ) -> None:
+        """Collect parts; the hull around them is worked out if it is not known."""
+        self.number = number
+        self.parts = parts
+        self.corners, self.volume = hull or _hull(
+            np.vstack([each.fine.reshape(-1, 3) for each in parts] + [each.deep for each in parts])
+        )
+        self.empty = self.volume - cell * sum(len(each.inner) for each in parts)
+        self.splits: list[Split] | None = None
+        self.halves: dict[int, list[Piece]] = {}
+
+
+class _Search:
+    """Pieces of a solid, cut and merged until they are small.
+
+    Attributes:
+        whole: the piece that is all of it.
+    """
+
+    def __init__(self, points: Floats, indices: Whole) -> None:
+        self._solid = Solid(points, indices)
+        self._frame = _frame(points, indices)
+        self._count = 0
+        self._common: dict[tuple[int, int], tuple[float, tuple[Floats, float]]] = {}
+        self._merged: dict[tuple[int, int], Piece] = {}
+        fine = _lighter(points, indices, MANY)
+        part = Part(_lighter(points, indices, FEW), fine, self._solid.inner)
+        self.whole = self._piece([part])
+        self._least = WORTH * self.whole.volume
+
+    def _piece(self, parts: list[Part], hull: tuple[Floats, float] | None = None) -> Piece:
+        self._count += 1
+        return Piece(self._count, parts, self._solid.cell, hull)
+
+    def split(self, pieces: list[Piece], most: float) -> list[Piece]:
+        """Return `most` pieces or more in place of fewer, as far as cutting saves anything."""
+        found = list(pieces)
+        while len(found) < most:
+            # By what is empty in them: of a ring the first plane saves nothing.
+            for piece in self._emptiest(found):
+                if self._splits(piece):
+                    break
+            else:
+                break
+            index = found.index(piece)
+            found[index : index + 1] = self._halves(piece, 0)
+        return found
+
+    def _emptiest(self, pieces: list[Piece]) -> list[Piece]:
+        """Return the pieces that are worth to be cut, that with the most empty space first."""
+        empty = [(-round(each.empty / self._least, DIGITS), each) for each in pieces]
+        empty.sort(key=lambda each: each[0])
+        return [each for worth, each in empty if -worth >= 1 / SPARE]
+
+    def merged(self, pieces: list[Piece], count: int) -> list[Piece]:
+        """Return at most `count` pieces, those merged first whose common hull adds least volume.
+
+        Others are merged while that adds less than a piece has to save.
+        """
+        found = {each.number: each for each in pieces}
+        while len(found) > 1:
+            added = {pair: self._added(*pair) for pair in combinations(found.values(), 2)}
+            pair = min(added, key=lambda each: added[each])
+            is_flat = not min(each.volume for each in pair) > 0
+            if len(found) <= count and added[pair] >= 1 and not is_flat:
+                flat = [each for each in found.values() if not each.volume > 0]
+                if not flat:
+                    break
+                pair = min((each for each in added if flat[0] in each), key=lambda p: added[p])
+            one, other = pair
+            del found[one.number], found[other.number]
+            key = one.number, other.number
+            if key not in self._merged:
+                hull = self._common[key][1]
+                self._merged[key] = self._piece(one.parts + other.parts, hull)
+            found[self._merged[key].number] = self._merged[key]
+        return list(found.values())
+
+    def _added(self, one: Piece, other: Piece) -> float:
+        """Return how much larger the common hull of two pieces is, by what a piece has to save."""
+        key = one.number, other.number
+        if key not in self._common:
+            hull = _hull(np.concatenate([one.corners, other.corners]))
+            added = round((hull[1] - one.volume - other.volume) / self._least, DIGITS)
+            self._common[key] = added, hull
+        return self._common[key][0]
+
+    def improved(self, pieces: list[Piece], count: int) -> list[Piece]:
+        """Return smaller pieces, at most `count`, if cutting one or two and merging makes any."""
+        total = self._total(pieces)
+        for _ in range(STEPS):
+            again = self._emptiest(pieces)[:AGAIN]
+            ways = [
+                [[(each, way)] for each in again for way in range(len(self._splits(each)))],
+                [[(one, 0), (other, 0)] for one, other in combinations(again, 2)
+                 if self._splits(one) and self._splits(other)],
+            ]  # fmt: skip
+            for some in ways:
+                tried = [self.merged(self._cut(pieces, chosen), count) for chosen in some]
+                best = min(tried, key=self._total, default=pieces)
+                if self._total(best) < total - BETTER / WORTH:
+                    break
+            else:
+                break
+            pieces, total = best, self._total(best)
+        return pieces
+
+    def _total(self, pieces: list[Piece]) -> float:
+        """Return the volume of pieces, by what each has to save, and 1 for each of them."""
+        return round(sum(each.volume for each in pieces) / self._least + len(pieces), DIGITS)
+
+    def _cut(self, pieces: list[Piece], chosen: Iterable[tuple[Piece, int]]) -> list[Piece]:
+        places = dict(chosen)
+        return [
+            each
+            for piece in pieces
+            for each in (self._halves(piece, places[piece]) if piece in places else [piece])
+        ]
+
+    # --- planes ---
+
+    def _splits(self, piece: Piece) -> list[Split]:
+        """Return planes to cut a piece with, the best first, each along another direction."""
+        if piece.splits is None and self._is_convex(piece):
+            piece.splits = []
+        elif piece.splits is None:
+            found = [split for split in self._scans(piece) if split[0] > 0]
+            found.sort(key=lambda split: -split[0])
+            if found and found[0][0] < LITTLE and piece.empty > AHEAD * self.whole.volume:
+                found.sort(key=lambda split: -self._ahead(piece, split))
+            piece.splits = found[:KINDS]
+        return piece.splits
+
+    def _is_convex(self, piece: Piece) -> bool:
+        """Return whether all of the surface of a piece is about on its hull."""
+        triangles = _coarse(piece)
+        points = [triangles.reshape(-1, 3), *[part.deep for part in piece.parts]]
+        try:
+            planes = ConvexHull(np.vstack(points)).equations
+        except (QhullError, ValueError):
+            return True
+        heights = triangles.mean(axis=1) @ planes[:, :3].T + planes[:, 3]
+        return bool((heights.max(axis=1) > -DEEP * self._solid.size).all())
+
+    def _ahead(self, piece: Piece, split: Split) -> float:
+        """Return what a plane saves of a piece, with the next one in each of its halves."""
+        saved = split[0] * piece.volume
+        for half in self._both(piece, split):
+            if half.volume > 0:
+                saved += half.volume * max([0.0, *[each[0] for each in self._scans(half)]])
+        return round(saved / piece.volume, DIGITS)
+
+    def _halves(self, piece: Piece, way: int) -> list[Piece]:
+        """Return what a plane makes of a piece, after others near that plane were tried."""
+        if way not in piece.halves:
+            best = self._splits(piece)[way]
+            normal = best[1]
+            heights = _coarse(piece) @ normal
+            step = float(np.ptp(heights)) / (CUTS + 1)
+            for _ in range(FINER):
+                around = self._scan(piece, normal, best[2] - step, best[2] + step)
+                best = max(best, around, key=lambda found: found[0])
+                step *= 2 / (CUTS + 1)
+            piece.halves[way] = self._both(piece, best)
+        return piece.halves[way]
+
+    def _both(self, piece: Piece, split: Split) -> list[Piece]:
+        _, normal, place = split
+        halves = [part.halves(normal, place, self._solid) for part in piece.parts]
+        sides = ([part for part in side if part is not None] for side in zip(*halves, strict=True))
+        return [self._piece(parts) for parts in sides if parts]
+
+    def _scans(self, piece: Piece) -> list[Split]:
+        """Return the best plane along each direction that is tried."""
+        found = []
+        triangles = _coarse(piece)
+        for normal in _directions(triangles, self._frame) if len(triangles) else ():
+            heights = triangles @ normal
+            found.append(self._scan(piece, normal, float(heights.min()), float(heights.max())))
+        return found
+
+    def _scan(self, piece: Piece, normal: Floats, low: float, high: float) -> Split:
+        """Return how good the best of some planes between two places is, its normal and its place.
+
+        That is the part of the volume that it saves, and a little for parts of equal size.
+        """
+        places = np.linspace(low, high, CUTS + 2)[1:-1]
+        met = [NO_POINTS] * CUTS
+        for part in piece.parts:
+            for index, points in enumerate(part.met(normal, places, self._solid.size)):
+                near = points[self._solid.is_near(points)]
+                met[index] = np.concatenate([met[index], near])
+        points = np.concatenate([part.deep for part in piece.parts])
+        slabs = np.searchsorted(places, points @ normal)
+        more = [
+            np.concatenate([points[slabs == index], *met[max(index - 1, 0) : index + 1]])
+            for index in range(CUTS + 1)
+        ]
+        parts = []
+        rest = _coarse(piece)
+        for index, place in enumerate(places):  # slabs from below, each as the corners of its hull
+            is_touched = (rest @ normal).min(axis=1) < place
+            slab, above = cut(rest[is_touched], normal, place)
+            rest = np.concatenate([rest[~is_touched], above])
+            parts.append(_hull(np.concatenate([slab.reshape(-1, 3), more[index]]))[0])
+        parts.append(_hull(np.concatenate([rest.reshape(-1, 3), more[-1]]))[0])
+        volumes = np.array(_growing(parts))
+        below, above = volumes[:-1], np.array(_growing(parts[:0:-1])[::-1])
+        both = below + above - BALANCE * np.minimum(below, above)
+        worth = 1 - both / max(float(volumes[-1]), 1e-300)
+        index = int(np.round(worth, DIGITS).argmax())
+        return round(float(worth[index]), DIGITS), normal, float(places[index])
+
+
+def _coarse(piece: Piece) -> Floats:
+    return np.concatenate([part.coarse for part in piece.parts])
+
+
+def _lighter(points: Floats, indices: Whole, most: int) -> Floats:
+    """Return the triangles of a mesh, or about `most` that are near it."""
+    if len(indices) > most:
+        points, indices = collapsed(points, indices, most)
+    return points[indices]
 
 
 # --- planes -----------------------------------------------------------------------------------
@@ -250,229 +457,62 @@ def cut(triangles: Floats, normal: Floats, place: float) -> tuple[Floats, Floats
     return np.concatenate(below), np.concatenate(above)
 
 
-def _find_cut(piece: Piece) -> bool:
-    """Find the best plane to cut a piece with; return whether there is one."""
-    tried = _scans(piece)
-    best = max(tried, key=lambda found: found[0])
-    if 0 < best[0] < LITTLE:
-        some = [found for found in tried if found[0] > 0]
-        best = max(some, key=lambda found: round(piece.ahead(found) / piece.volume, DIGITS))
-    gain, normal, place = best
-    if gain > 0:
-        heights = piece.coarse @ normal
-        step = float(np.ptp(heights)) / (CUTS + 1)
-        fine = _scan(piece, normal, heights, place - step, place + step)
-        best = max(best, fine, key=lambda found: found[0])
-    piece.split = best
-    return gain > 0
+def _frame(points: Floats, indices: Whole) -> Floats:
+    """Return three unit vectors at right angles, the normals of the largest flat sides."""
+    a, b, c = (points[indices[:, corner]] for corner in range(3))
+    areas = areas_of(points, indices)
+    normals = np.cross(b - a, c - a)[areas > 0] / (2 * areas[areas > 0, None])
+    shares = areas[areas > 0] / areas.sum()
+    largest = np.abs(normals).argmax(axis=1)
+    normals *= np.sign(normals[np.arange(len(normals)), largest])[:, None]
+
+    def flattest(chosen: NDArray[np.bool_]) -> Floats:
+        rounded, sides = np.unique(
+            np.round(normals[chosen] / ALIKE) * ALIKE + 0.0, axis=0, return_inverse=True
+        )
+        sums = np.round(np.bincount(sides.reshape(-1), shares[chosen]), 6)
+        near = np.abs(normals - rounded[int(sums.argmax())]).max(axis=1) <= ALIKE
+        side = (normals[near] * shares[near, None]).sum(axis=0)
+        found: Floats = side / np.linalg.norm(side)
+        return found
+
+    first = flattest(np.ones(len(normals), bool))
+    across = np.abs(normals @ first) < 2 * ALIKE
+    second = flattest(across) if across.any() else np.eye(3)[np.abs(first).argmin()]
+    third = np.cross(first, second)
+    third /= np.linalg.norm(third)
+    return np.array([first, np.cross(third, first), third])
 
 
-def _scans(piece: Piece) -> list[Split]:
-    """Return the best plane along each direction that is tried."""
-    found = []
-    for normal in _directions(piece):
-        heights = piece.coarse @ normal
-        found.append(_scan(piece, normal, heights, float(heights.min()), float(heights.max())))
-    return found
+def _directions(triangles: Floats, frame: Floats) -> list[Floats]:
+    """Return the normals of planes that are tried.
 
-
-def _directions(piece: Piece) -> list[Floats]:
-    """Return the normals of planes that are tried: the axes, and the main axes of the surface."""
+    They are the axes, the normals of the largest flat sides of the whole, and the main axes of the
+    surface.
+    """
     found: list[Floats] = list(np.eye(3))
-    a, b, c = np.moveaxis(piece.coarse, 1, 0)
+    a, b, c = np.moveaxis(triangles, 1, 0)
     areas = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    others = list(frame)
     if areas.sum() > 0:
         middles = (a + b + c) / 3
         offsets = middles - np.average(middles, axis=0, weights=areas)
         _, axes = np.linalg.eigh((offsets * areas[:, None]).T @ offsets)
-        for axis in axes.T:
-            turned = axis * (1.0 if axis[np.abs(axis).argmax()] > 0 else -1.0)
-            turned = np.round(turned, 6)  # the rest is rounding, and differs between machines
-            if np.abs(turned).max() < 0.999:
-                found.append(turned / np.linalg.norm(turned))
+        others += list(axes.T)
+    for axis in others:
+        turned = axis * (1.0 if axis[np.abs(axis).argmax()] > 0 else -1.0)
+        turned = np.round(turned, 6)  # the rest is rounding, and differs between machines
+        turned /= np.linalg.norm(turned)
+        if all(abs(float(turned @ each)) < SAME for each in found):
+            found.append(turned)
     return found
-
-
-def _scan(piece: Piece, normal: Floats, heights: Floats, low: float, high: float) -> Split:
-    """Return how good the best of some planes between two places is, its normal and its place.
-
-    That is the part of the volume that it saves, and a little for parts of equal size.
-    """
-    places = np.linspace(low, high, CUTS + 2)[1:-1]
-    parts = []
-    rest, rest_heights = piece.coarse, heights
-    met = [points[piece.solid.is_near(points)] for points in piece.met(normal, places)]
-    deep = np.searchsorted(places, piece.deep @ normal)
-    more = [
-        np.concatenate([piece.deep[deep == index], *met[max(index - 1, 0) : index + 1]])
-        for index in range(CUTS + 1)
-    ]
-    for index, place in enumerate(places):  # slabs from below, each as the corners of its hull
-        touched = rest_heights.min(axis=1) < place
-        slab, above = cut(rest[touched], normal, place)
-        rest = np.concatenate([rest[~touched], above])
-        rest_heights = rest @ normal
-        parts.append(_hull(np.concatenate([slab.reshape(-1, 3), more[index]]))[0])
-    parts.append(_hull(np.concatenate([rest.reshape(-1, 3), more[-1]]))[0])
-    below, above = np.array(_growing(parts[:-1])), np.array(_growing(parts[:0:-1])[::-1])
-    worth = 1 - (below + above - BALANCE * np.minimum(below, above)) / piece.volume
-    index = int(np.round(worth, DIGITS).argmax())
-    return round(float(worth[index]), DIGITS), normal, float(places[index])
 
 
 def _growing(parts: Sequence[Floats]) -> list[float]:
     """Return the volumes of the hulls of the first part, of the first two, and so on."""
     volumes = []
-    corners: Floats = np.empty((0, 3))
+    corners: Floats = NO_POINTS
     for part in parts:
         corners, volume = _hull(np.concatenate([corners, part]))
         volumes.append(volume)
     return volumes
-
-
-# --- merging ----------------------------------------------------------------------------------
-
-
-def _merged(pieces: list[Piece], count: int, least: float) -> list[list[Piece]]:
-    """Return pieces in at most `count` groups, each of which becomes one piece.
-
-    The two are merged first whose common hull adds least volume, and further while that adds less
-    than `least`.
-    """
-    hulls = {index: (each.corners, each.volume) for index, each in enumerate(pieces)}
-    groups = {index: [each] for index, each in enumerate(pieces)}
-    common: dict[tuple[int, int], tuple[Floats, float]] = {}
-    while len(groups) > 1:
-        for one, other in combinations(groups, 2):
-            if (one, other) not in common:
-                corners = np.concatenate([hulls[one][0], hulls[other][0]])
-                common[one, other] = _hull(corners)
-        added = {
-            pair: round((volume - hulls[pair[0]][1] - hulls[pair[1]][1]) / least, DIGITS)
-            for pair, (_, volume) in common.items()
-        }
-        pair = min(added, key=lambda each: (added[each], each))
-        is_flat = not min(hulls[each][1] for each in pair) > 0
-        if len(groups) <= count and added[pair] >= 1 and not is_flat:
-            flat = [each for each in groups if not hulls[each][1] > 0]
-            if not flat:
-                break
-            pair = min((each for each in added if flat[0] in each), key=lambda p: (added[p], p))
-        number = max(groups) + 1
-        hulls[number] = common[pair]
-        groups[number] = groups.pop(pair[0]) + groups.pop(pair[1])
-        common = {key: each for key, each in common.items() if not set(key) & set(pair)}
-    return list(groups.values())
-
-
-# --- fewer corners ----------------------------------------------------------------------------
-
-
-def simplified(corners: Floats, most: int = MOST_CORNERS) -> Floats:
-    """Return corners, at most `most`, of a polyhedron that contains a convex one.
-
-    It is cut out of a box by planes of faces, each the one that is farthest below the corner that
-    is farthest outside. So large faces stay where they are.
-    """
-    size = float(np.ptp(corners, axis=0).max())
-    found = corners
-    try:
-        if len(corners) > most:
-            found = _cut_out(corners, most, size)
-        for low in LOW:
-            found = _clean(corners, found, size, low)
-            if _dent(_hull_mesh(found)) < DENT * size:
-                break
-    except (QhullError, ValueError):  # nearly flat
-        pass
-    return found
-
-
-def _cut_out(corners: Floats, most: int, size: float) -> Floats:
-    faces = np.unique(np.round(ConvexHull(corners).equations, 12), axis=0)
-    middle = (corners.min(axis=0) + corners.max(axis=0)) / 2
-    middle = (middle + corners.mean(axis=0)) / 2
-    sides = (*np.eye(3), *-np.eye(3))
-    planes = [np.append(side, -(corners @ side).max()) for side in sides]
-    found = corners
-    while True:
-        outer: Floats = HalfspaceIntersection(np.array(planes), middle).intersections
-        outer = outer[ConvexHull(outer).vertices]
-        distinct = _distinct(outer, NEAR * size)
-        if len(distinct) > most:
-            return found
-        found = distinct
-        outside = np.round(outer @ faces[:, :3].T + faces[:, 3], 12)
-        corner = int(outside.max(axis=1).argmax())
-        face = int(outside[corner].argmax())
-        if not outside[corner, face] > NEAR * size or len(planes) > 2 * most:
-            return found
-        planes.append(faces[face])
-
-
-def _clean(corners: Floats, outer: Floats, size: float, low: float) -> Floats:
-    """Return corners of a polyhedron around others, without needles, so that single precision does.
-
-    Corners that are near others or hardly above the hull of the others go, and what is left
-    becomes larger by what is missing.
-    """
-    found = _distinct(outer, NEAR * size)
-    hull = ConvexHull(found)
-    order = sorted(hull.vertices)
-    found = found[order]
-    index = 0
-    while index < len(found) > 4:
-        others = np.delete(found, index, axis=0)
-        equations = ConvexHull(others).equations
-        if (equations[:, :3] @ found[index] + equations[:, 3]).max() < low * size:
-            found = others
-        else:
-            index += 1
-    equations = ConvexHull(found).equations
-    middle = found.mean(axis=0)
-    depths = -(equations[:, :3] @ middle + equations[:, 3])
-    missing = (corners @ equations[:, :3].T + equations[:, 3]).max(axis=0)
-    grown = float((np.maximum(missing, 0.0) / depths).max())
-    if grown * size > 1e-12 * size:
-        found = middle + (found - middle) * (1 + grown + 1e-12)
-    return found
-
-
-def _dent(mesh: TriangleMesh) -> float:
-    """Return how far corners are above the plane of a next triangle, in single precision."""
-    points = np.array(mesh.vertices, np.float32).astype(float)
-    triangles = np.array(mesh.triangles)
-    a, b, c = np.moveaxis(points[triangles], 1, 0)
-    normals = np.cross(b - a, c - a)
-    normals /= np.maximum(np.linalg.norm(normals, axis=1), 1e-300)[:, None]
-    owners = {(i, j): row for row, each in enumerate(mesh.triangles)
-              for i, j in zip(each, (*each[1:], each[0]), strict=True)}  # fmt: skip
-    others = [
-        [owners[j, i] for i, j in zip(each, (*each[1:], each[0]), strict=True)]
-        for each in mesh.triangles
-    ]
-    across = points[triangles[np.array(others)]] - a[:, None, None]
-    return float(np.einsum("ijkl,il->ijk", across, normals).max())
-
-
-def _distinct(points: Floats, apart: float) -> Floats:
-    """Return points without those that are near an earlier one."""
-    pairs = cKDTree(points).query_pairs(apart, output_type="ndarray")
-    return np.delete(points, np.unique(pairs.max(axis=1)), axis=0) if len(pairs) else points
-
-
-def _hull_mesh(points: Floats) -> TriangleMesh:
-    """Return the hull of points as a mesh, its triangles counterclockwise as seen from outside."""
-    try:
-        found = ConvexHull(points)
-    except (QhullError, ValueError):
-        raise MeshFileError("it is flat, so that its convex hull has no volume") from None
-    numbers = {int(old): new for new, old in enumerate(sorted(found.vertices))}
-    corners = points[sorted(found.vertices)]
-    triangles = []
-    for corner, equation in zip(found.simplices, found.equations, strict=True):
-        a, b, c = (int(each) for each in corner)
-        if np.dot(np.cross(points[b] - points[a], points[c] - points[a]), equation[:3]) < 0:
-            b, c = c, b
-        triangles.append((numbers[a], numbers[b], numbers[c]))
-    return TriangleMesh([(x, y, z) for x, y, z in corners.tolist()], sorted(triangles))

@@ -158,8 +158,8 @@ class Solid:
     """
 
     __slots__ = (
-        "_is_inside", "_low", "_normals", "_openings", "_spacing", "_step", "_tree", "cell",
-        "depths", "inner", "points", "size", "triangles",
+        "_clusters", "_is_inside", "_low", "_normals", "_openings", "_spacing", "_step", "_tree",
+        "cell", "depths", "inner", "points", "size", "triangles",
     )  # fmt: skip
 
     def __init__(self, points: Floats, triangles: Whole) -> None:
@@ -192,6 +192,7 @@ class Solid:
         self._spacing = area**0.5
         self.points = np.concatenate([samples, used[:: len(used) // MOST_CORNERS + 1]])
         self.triangles: Floats = points[triangles]
+        self._clusters: _Clusters | None = None
         self._is_inside = (np.round(turns, 6) > 0.5).reshape(grid.shape[:3])
         self._openings: cKDTree | None = None
         openings = self._openings_between(np.pad(self._is_inside, 1))
@@ -255,13 +256,12 @@ class Solid:
         winding numbers for soups and clouds, 2018.
         """
         turns = np.zeros(len(places))
-        clusters = None
-        if len(places) and len(self.triangles) > CLUSTERED:
-            clusters = _Clusters(self.triangles, self.size / CLUSTERS)
+        if self._clusters is None and len(places) and len(self.triangles) > CLUSTERED:
+            self._clusters = _Clusters(self.triangles, self.size / CLUSTERS)
         for index, place in enumerate(places):
             near = self.triangles
-            if clusters is not None:
-                near, turns[index] = clusters.around(place)
+            if self._clusters is not None:
+                near, turns[index] = self._clusters.around(place)
             a, b, c = np.moveaxis(near - place, 1, 0)
             la, lb, lc = (np.sqrt((each * each).sum(axis=1)) for each in (a, b, c))
             over = (a * np.cross(b, c)).sum(axis=1)
