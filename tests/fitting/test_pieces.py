@@ -60,7 +60,7 @@ def opened(body: Any) -> Any:
 
 CONCAVE = {
     "angle": angle(),
-    "ring": creation.torus(1.0, 0.25, major_sections=24, minor_sections=12),
+    "ring": creation.torus(1.0, 0.25, major_sections=20, minor_sections=8),
     "tube": creation.annulus(0.8, 1.0, 2.0),
 }
 OTHERS = {

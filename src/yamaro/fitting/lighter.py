@@ -111,7 +111,7 @@ def lighter(mesh: TriangleMesh, most: int, *, size: float = 0.0) -> TriangleMesh
 
 
 def collapsed(points: Floats, triangles: Whole, most: int) -> tuple[Floats, Whole]:
-    """Return corners and triangles, about `most`, near those of a mesh; all if there are no such.
+    """Return corners and triangles near those of a mesh: `most`, or more where it takes more.
 
     Raises:
         MissingLibraryError: fast-simplification is not installed.
@@ -122,13 +122,16 @@ def collapsed(points: Floats, triangles: Whole, most: int) -> tuple[Floats, Whol
         raise MissingLibraryError("fast-simplification") from error
     low, size = points.min(axis=0), float(np.ptp(points, axis=0).max())
     unit, rows = (points - low) / size, triangles.astype(np.int32)
+    fewest = points, triangles
     for haste in HASTES:
         found, corners = simplify(unit, rows, target_count=most, agg=haste)
         corners = np.asarray(corners, int)
         corners = corners[(np.diff(np.sort(corners, axis=1), axis=1) > 0).all(axis=1)]
-        if 0 < len(corners) <= most:
-            return np.asarray(found, float) * size + low, corners
-    return points, triangles
+        if 0 < len(corners) < len(fewest[1]):
+            fewest = np.asarray(found, float) * size + low, corners
+        if len(fewest[1]) <= most:
+            break
+    return fewest
 
 
 def _mesh_of(points: Floats, triangles: Whole) -> TriangleMesh:

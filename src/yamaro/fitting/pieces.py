@@ -37,13 +37,13 @@ CUTS = 15
 """Planes that are tried along each direction, and again around the best one."""
 FINER = 2
 """How often planes are tried around the best one, nearer each time."""
-KINDS = 4
+KINDS = 3
 """Directions of which the best plane is tried for a piece that is cut again."""
 SPARE = 1.5
 """How many times as many pieces are cut as asked for, before they are merged."""
 AGAIN = 8
 """Pieces that are cut again, those with the most empty space."""
-STEPS = 12
+STEPS = 10
 """How often pieces are cut and merged again at most."""
 BALANCE = 0.03
 """How much planes count that cut a piece in parts of equal size, as against those that save."""
