@@ -25,7 +25,7 @@ MOST_CORNERS = 64
 ROUGH = 200
 """Corners of the polyhedron whose edges collapse."""
 AT_ONCE = 10
-"""The part of the corners that goes at once, as one in so many."""
+"""Of this number of corners one goes at once."""
 AROUND = 14
 """Planes around an edge, above which it stays."""
 NEAR = 1e-6
