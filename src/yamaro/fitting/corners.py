@@ -51,6 +51,8 @@ def simplified(corners: Floats, most: int = MOST_CORNERS) -> Floats:
     try:
         if len(corners) > most:
             found = _collapsed(_cut_out(corners, max(most, ROUGH), size), most, size)
+            if len(found) > most:
+                found = _cut_out(corners, most, size)
         for low in LOW:
             found = _clean(corners, found, size, low)
             if _dent(hull_mesh(found)) < DENT * size:
@@ -83,7 +85,7 @@ def _cut_out(corners: Floats, most: int, size: float) -> Floats:
 
 
 def _collapsed(corners: Floats, most: int, size: float) -> Floats:
-    """Return corners, at most `most`, of a polyhedron around a convex one.
+    """Return corners of a polyhedron around a convex one, at most `most` if that can be had.
 
     An edge becomes the corner outside of all planes around it that adds the least volume.
     """
@@ -106,7 +108,7 @@ def _collapsed(corners: Floats, most: int, size: float) -> Floats:
                 if len(new) == enough:
                     break
         if not new:
-            return corners
+            break
         found = np.vstack([np.delete(found, sorted(gone), axis=0), *new])
     return found
 

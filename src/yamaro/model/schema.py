@@ -166,6 +166,8 @@ COMMANDS = ("position", "velocity", "effort")
 """The commands of an actuator; of several, the first of these is the usual one."""
 FITS = ("box", "cylinder", "sphere", "capsule", "hull", "best")
 """The shapes that are fitted to meshes."""
+MOST_SHAPES = 1_000
+"""Pieces or spheres that one mesh can become."""
 DEFAULT_SAMPLES, DEFAULT_SEED = 10_000, 1
 """How the pairs of links that never collide are found."""
 

@@ -7,7 +7,7 @@ beside the link.
 from __future__ import annotations
 
 from ..diagnostics import failure
-from ..model.schema import FITS, FITTING
+from ..model.schema import FITS, FITTING, MOST_SHAPES
 from ..xml.tree import Element, RobotNote
 from ..xml.values import Numbers, format_value
 from .extras import read_field
@@ -163,9 +163,18 @@ def _wanted(lowering: Lowering, asked: Element, fields: Fields) -> Wanted:
     covers = cover is not None and one_of(cover, TRUTHS) == "true"
     if asked.name == "fit":
         return Wanted("fit", kind=one_of(asked, FITS), covers=covers)
-    number, _ = read_field(lowering, FITTING.fields[asked.name], asked)
+    number, span = read_field(lowering, FITTING.fields[asked.name], asked)
     assert isinstance(number, Numbers)
-    return Wanted(asked.name, count=int(number.values[0]), covers=covers)
+    count = int(number.values[0])
+    if asked.name in FIT_KEYS and count > MOST_SHAPES:
+        raise failure(
+            "bad-number",
+            f"'{asked.name}' takes at most {MOST_SHAPES}, and this is {count}",
+            span,
+            hint=f"write {asked.name}: {FITTING.fields[asked.name].example}",
+            trace=asked.trace,
+        )
+    return Wanted(asked.name, count=count, covers=covers)
 
 
 # --- the result -------------------------------------------------------------------------------

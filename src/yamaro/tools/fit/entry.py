@@ -13,7 +13,7 @@ from ...commands.command_table import ENDINGS, FILE_WORDS, Command
 from ...commands.conversion import convert_file
 from ...commands.option_table import BUILDING, WRITING, Option
 from ...commands.reports import WrongUsage, goes_to_standard_output, quote
-from ...model.schema import FITS
+from ...model.schema import FITS, MOST_SHAPES
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -150,6 +150,8 @@ def _count(arguments: Arguments, option: str) -> int:
     count = int(text) if text.isascii() and text.isdecimal() and len(text) < 10 else 0
     if count < 1:
         raise WrongUsage(f"'--{option}' takes a whole number from 1, not {quote(text)}")
+    if count > MOST_SHAPES and option != "triangles":
+        raise WrongUsage(f"'--{option}' takes at most {MOST_SHAPES}, not {text}")
     return count
 
 
