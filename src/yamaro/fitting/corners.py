@@ -85,7 +85,7 @@ def _cut_out(corners: Floats, most: int, size: float) -> Floats:
 
 
 def _collapsed(corners: Floats, most: int, size: float) -> Floats:
-    """Return corners of a polyhedron around a convex one, at most `most` if that can be had.
+    """Return corners of a polyhedron around a convex one, at most `most` where edges can collapse.
 
     An edge becomes the corner outside of all planes around it that adds the least volume.
     """
