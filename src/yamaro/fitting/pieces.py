@@ -33,6 +33,9 @@ if TYPE_CHECKING:
 
 FEW, MANY = 2_000, 20_000
 """Triangles by which planes are chosen, and by which the pieces between them are measured."""
+VERY_MANY, CELLS = 100_000, 256
+"""Triangles from which on corners are one that are in the same cell of a grid, and its cells along
+the longest side."""
 CUTS = 15
 """Planes that are tried along each direction, and again around the best one."""
 FINER = 2
@@ -229,7 +232,8 @@ class _Search:
         self._common: dict[tuple[int, int], tuple[float, tuple[Floats, float]]] = {}
         self._merged: dict[tuple[int, int], Piece] = {}
         fine = _lighter(points, indices, MANY)
-        part = Part(_lighter(points, indices, FEW), fine, self._solid.inner)
+        coarse = _lighter(*fine, FEW)
+        part = Part(coarse[0][coarse[1]], fine[0][fine[1]], self._solid.inner)
         self.whole = self._piece([part])
         self._least = WORTH * self.whole.volume
 
@@ -421,11 +425,25 @@ def _coarse(piece: Piece) -> Floats:
     return np.concatenate([part.coarse for part in piece.parts])
 
 
-def _lighter(points: Floats, indices: Whole, most: int) -> Floats:
-    """Return the triangles of a mesh, or about `most` that are near it."""
+def _lighter(points: Floats, indices: Whole, most: int) -> tuple[Floats, Whole]:
+    """Return corners and triangles of a mesh, or about `most` that are near it."""
+    if len(indices) > VERY_MANY:
+        points, indices = _clustered(points, indices, CELLS)
     if len(indices) > most:
         points, indices = collapsed(points, indices, most)
-    return points[indices]
+    if len(indices) > 2 * most:
+        points, indices = _clustered(points, indices, int((most / 2) ** 0.5))
+    return points, indices
+
+
+def _clustered(points: Floats, indices: Whole, cells: int) -> tuple[Floats, Whole]:
+    """Return a mesh whose corners are one if they are in the same cell of a grid."""
+    places = np.floor((points - points.min(axis=0)) * (cells / np.ptp(points, axis=0).max()))
+    numbers = (places @ (1, 2 * cells, 4 * cells * cells)).astype(np.int64)
+    _, first, cell = np.unique(numbers, return_index=True, return_inverse=True)
+    corners = np.sort(cell[indices], axis=1)
+    corners = np.unique(corners[(np.diff(corners, axis=1) > 0).all(axis=1)], axis=0)
+    return (points[first], corners) if len(corners) else (points, indices)
 
 
 # --- planes -----------------------------------------------------------------------------------
