@@ -117,7 +117,7 @@ def tab_through(site: Site, *, most: int, leave: str = "") -> tuple[list[int], l
             site.press_key("Escape", 27)
         site.press_key("Tab", 9)
         place, is_seen, text = site.run(FOCUS)
-        if place == -1 and order and not text:
+        if len(order) > 1 and place == order[0]:  # the page's body has the focus in between
             break
         if not is_seen:
             unseen.append(text)
