@@ -12,12 +12,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 from scipy.spatial import ConvexHull, HalfspaceIntersection, QhullError, cKDTree
 
-from ..meshes.formats import MeshFileError
-from ..meshes.triangles import TriangleMesh
+from .hull import hull_mesh
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from ..meshes.triangles import TriangleMesh
     from .sampling import Floats, Whole
 
 MOST_CORNERS = 64
@@ -223,20 +223,3 @@ def _distinct(points: Floats, apart: float) -> Floats:
     """Return points without those that are near an earlier one."""
     pairs = cKDTree(points).query_pairs(apart, output_type="ndarray")
     return np.delete(points, np.unique(pairs.max(axis=1)), axis=0) if len(pairs) else points
-
-
-def hull_mesh(points: Floats) -> TriangleMesh:
-    """Return the hull of points as a mesh, its triangles counterclockwise as seen from outside."""
-    try:
-        found = ConvexHull(points)
-    except (QhullError, ValueError):
-        raise MeshFileError("it is flat, so that its convex hull has no volume") from None
-    numbers = {int(old): new for new, old in enumerate(sorted(found.vertices))}
-    corners = points[sorted(found.vertices)]
-    triangles = []
-    for corner, equation in zip(found.simplices, found.equations, strict=True):
-        a, b, c = (int(each) for each in corner)
-        if np.dot(np.cross(points[b] - points[a], points[c] - points[a]), equation[:3]) < 0:
-            b, c = c, b
-        triangles.append((numbers[a], numbers[b], numbers[c]))
-    return TriangleMesh([(x, y, z) for x, y, z in corners.tolist()], sorted(triangles))

@@ -39,6 +39,19 @@ def hull_of(mesh: TriangleMesh) -> TriangleMesh:
         if not len(needless) or len(corners) - len(needless) < 4:
             break
         corners, triangles = _hulled(np.delete(corners, needless, axis=0))
+    return _mesh_of(corners, triangles)
+
+
+def hull_mesh(points: Floats) -> TriangleMesh:
+    """Return the hull of points as a mesh, its triangles counterclockwise as seen from outside.
+
+    Raises:
+        MeshFileError: they are flat.
+    """
+    return _mesh_of(*_hulled(points))
+
+
+def _mesh_of(corners: Floats, triangles: Whole) -> TriangleMesh:
     return TriangleMesh(
         [(x, y, z) for x, y, z in corners.tolist()],
         [(i, j, k) for i, j, k in triangles[np.lexsort(triangles.T[::-1])].tolist()],

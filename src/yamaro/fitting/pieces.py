@@ -20,7 +20,8 @@ from scipy.spatial import ConvexHull, QhullError
 
 from ..meshes.formats import MeshFileError
 from ..meshes.triangles import TriangleMesh, is_closed
-from .corners import hull_mesh, simplified
+from .corners import simplified
+from .hull import hull_mesh
 from .lighter import collapsed
 from .sampling import Solid, areas_of, arrays_of
 

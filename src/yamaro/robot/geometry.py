@@ -378,15 +378,20 @@ def _solid_mesh(lowering: Lowering, geometry: Geometry, scale: tuple[float, ...]
     x, y, z = scale
     scaled = moments.scaled((x, y, z))
     if scaled.volume == 0:
-        assert geometry.scale is not None
-        raise failure(
-            "bad-size",
-            f"a mesh of the scale '{geometry.scale.text}' has no inertia",
-            geometry.scale_span,
-            hint="no factor can be 0",
-            trace=geometry.key.trace,
-        )
+        raise flat_mesh(geometry, "inertia")
     return MeshSolid(scaled)
+
+
+def flat_mesh(geometry: Geometry, lacks: str) -> YamaroError:
+    """Return the error for a mesh that has no inertia or shape, since its scale has a 0."""
+    assert geometry.scale is not None
+    return failure(
+        "bad-size",
+        f"a mesh of the scale '{geometry.scale.text}' has no {lacks}",
+        geometry.scale_span,
+        hint="no factor can be 0",
+        trace=geometry.key.trace,
+    )
 
 
 def where_it_may_be(lowering: Lowering, word: str, span: Span) -> str:
