@@ -47,7 +47,7 @@ pytestmark = [
 def run(script: str, *arguments: str) -> list[str]:
     """Run a script and return the lines it prints."""
     command = [sys.executable, str(BENCH / f"{script}.py"), *arguments]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE)
+    done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE + 60)
     assert (done.returncode, done.stderr) == (0, "")
     return done.stdout.splitlines()
 

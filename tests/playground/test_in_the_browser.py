@@ -10,6 +10,7 @@ import math
 import re
 import shutil
 import sys
+import threading
 from collections.abc import Iterator
 from itertools import zip_longest
 from pathlib import Path
@@ -119,6 +120,19 @@ def page(browser: Playground) -> Iterator[Playground]:
     browser.complaints.clear()
     yield browser
     assert browser.complaints == []
+
+
+def test_a_viewer_that_is_loaded_before_the_page_shows_the_robot(folder: Path) -> None:
+    program = chromium.find()
+    assert program is not None
+    loaded = threading.Event()
+    with served(folder, {"/playground.js": loaded}) as address:
+        page = Chromium(program, ALONE, width=1280, height=800)
+        page.open(address)
+        page.wait_for("Boolean(document.getElementById('viewer')?.contentWindow?.yamaro)")
+        loaded.set()
+        page.wait_for("document.getElementById('viewer').contentWindow.yamaro.robot?.links.size")
+        page.close()
 
 
 def expected(main: Path, target: str | None) -> str | None:

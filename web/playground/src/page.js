@@ -278,6 +278,7 @@ window.addEventListener("message", async ({ source, data, origin }) => {
     viewer.contentWindow.postMessage({ type: "yamaro.answer", id: data.id, answer: told }, location.origin);
   }
 });
+viewer.contentWindow.postMessage({ type: "yamaro.hello" }, location.origin); // if it was there first
 
 // --- what is written --------------------------------------------------------------------------
 

@@ -7,6 +7,7 @@ const waiting = new Map();
 export function follow(onState, onConnection) {
   window.addEventListener("message", ({ source, data }) => {
     if (source !== window.parent) return;
+    if (data?.type === "yamaro.hello") sayReady(); // the page came later, and did not hear it
     if (data?.type === "yamaro.state") {
       onConnection(true);
       // The page around tells what is wrong, at length.
@@ -18,6 +19,10 @@ export function follow(onState, onConnection) {
       waiting.delete(data.id);
     }
   });
+  sayReady();
+}
+
+function sayReady() {
   window.parent.postMessage({ type: "yamaro.ready" }, window.location.origin);
 }
 
