@@ -135,6 +135,26 @@ def test_a_viewer_that_is_loaded_before_the_page_shows_the_robot(folder: Path) -
         page.close()
 
 
+def test_python_that_could_not_be_loaded_is_once_the_text_changes(
+    folder: Path, tmp_path: Path
+) -> None:
+    program = chromium.find()
+    assert program is not None
+    for path in folder.iterdir():
+        (tmp_path / path.name).symlink_to(path)
+    (tmp_path / "worker.js").unlink()
+    with served(tmp_path) as address:
+        page = Playground(program, ALONE, width=1280, height=800)
+        page.open(address)
+        page.wait_for("Boolean(window.playground?.built)")
+        assert "Python could not be started; change the text" in page.text("#problems")
+        assert page.text("#status") == "Python is not running"
+        (tmp_path / "worker.js").symlink_to(folder / "worker.js")
+        page.write("robot: r\nmodel:\n- link/name=$(1 +):\n")
+        assert "error[" in page.text("#problems")
+        page.close()
+
+
 def expected(main: Path, target: str | None) -> str | None:
     with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
         try:

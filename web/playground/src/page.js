@@ -41,6 +41,10 @@ const runner = new Runner({
     setStatus("starting");
     mustOpen = true; // once the text has changed: this one would hang again
   },
+  onFailure: () => {
+    setStatus("Python is not running");
+    mustOpen = true;
+  },
 }, firstRobot());
 let mustOpen = false;
 

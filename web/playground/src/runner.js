@@ -5,7 +5,7 @@ const LONGEST_START = 90_000;
 
 export class Runner {
   /**
-   * @param {object} told `onStart()`, `onRestart()`: the files have to be opened again
+   * @param {object} told `onStart()`; `onRestart()` and `onFailure()`: the files have to be opened again
    * @param {Promise} quiet when the page has shown a robot, which Python would slow down
    */
   constructor(told, quiet) {
@@ -25,14 +25,22 @@ export class Runner {
     this.isStarted = false;
     this.worker = new Worker(new URL("worker.js", document.baseURI), { type: "module" });
     this.worker.onmessage = ({ data }) => this.take(data);
-    this.worker.onerror = (event) => this.end(`Python could not be started: ${event.message ?? ""}`);
-    this.clock = setTimeout(() => this.end("Python did not start within 90 s"), LONGEST_START);
+    this.worker.onerror = (event) => this.fail(`Python could not be started${event.message ? `: ${event.message}` : ""}`);
+    this.clock = setTimeout(() => this.fail("Python did not start within 90 s"), LONGEST_START);
+  }
+
+  /** Give up; what is asked next begins anew. */
+  fail(reason) {
+    this.end(`${reason}; change the text to try again`);
+    this.isStarted = false;
+    this.worker = null;
+    this.told.onFailure();
   }
 
   take({ id, value, fault }) {
     if (id === 0) {
       clearTimeout(this.clock);
-      if (fault) return this.end(`Python could not be started: ${fault}`);
+      if (fault) return this.fail(`Python could not be started: ${fault}`);
       this.isStarted = true;
       for (const one of this.waiting.values()) one.begin();
       return this.told.onStart();
@@ -48,6 +56,7 @@ export class Runner {
    * @returns {Promise<object>} its answer; `fault` is why there is none
    */
   ask(method, content) {
+    if (!this.worker) this.begin();
     const id = ++this.lastId;
     return new Promise((settle) => {
       const asked = { settle, clock: 0, begin: () => {} };
