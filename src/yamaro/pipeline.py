@@ -204,6 +204,11 @@ class Run:
         try:
             build, told = self._emit(format)
         except YamaroError as error:
+            for each in error.diagnostics:
+                if each.severity == ERROR and each.code in request.adjustment.allowed:
+                    note = f"allowing '{each.code}' has no effect here: {{}} cannot hold this robot"
+                    note = note.format("URDF" if format is None else TARGETS[format].title)
+                    each.notes = (*each.notes, note)
             raise self._failure([*found, *error.diagnostics]) from None
         for diagnostic in (*found, *told):
             request.reporter.add(diagnostic)
@@ -550,6 +555,7 @@ def check(
         resolve_mesh=finder.resolve,
         package_fault=finder.package_fault,
         path_meant=finder.path_meant,
+        may_read=finder.allows,
         advice=advisor,
         robot=robot,
         numbers=numbers,

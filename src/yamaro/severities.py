@@ -41,6 +41,7 @@ SEVERITIES = {
     "duplicate-material": "error",
     "effort-above-stall": "advice",
     "far-center": "advice",
+    "fits-overlap": "warning",
     "fixed-joint": "advice",
     "fixed-mimic": "warning",
     "function-replaced": "warning",

@@ -211,6 +211,10 @@ def test_yamaro_fit_writes_the_robot_and_says_how_good_the_shapes_are(
     assert main(["fit", "arm.urdf", "-o", "out/arm.urdf", "--links", "wrist*"]) == 1
     assert "nothing-to-fit" in capfd.readouterr().err
     assert shapes_in(build("out/arm.urdf").robot, "arm")[0].kind == "cylinder"
+    assert main(["fit", "arm.urdf", "-o", "out/arm.urdf", "--links", "!a*"]) == 1
+    assert "nothing-to-fit" in capfd.readouterr().err
+    assert main(["fit", "arm.urdf", "-o", "out/arm.urdf", "--links", "!b*", "--shape", "box"]) == 0
+    assert shapes_in(build("out/arm.urdf").robot, "arm")[0].kind == "box"
 
 
 @pytest.mark.parametrize(

@@ -181,6 +181,21 @@ def test_collision_stands_in_for_a_visual_that_is_not_there(
     assert "no visual shapes; its collision shapes are shown" in capsys.readouterr().err
 
 
+def test_collision_shapes_are_shown_with_how_close_they_are_to_their_meshes(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    pytest.importorskip("scipy")
+    triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
+    (tmp_path / "m.obj").write_text(triangle)
+    section = "{geometry: m.obj, mass: 1, visual: , collision: {fit: box, cover: true}}"
+    (tmp_path / "r.yaml").write_text(f"robot: r\nmodel:\n- part: {{name: base, link: {section}}}\n")
+    command = ["picture", str(tmp_path / "r.yaml"), "-o", str(tmp_path / "r.png")]
+    assert main([*command, "--show", "visual,collision"]) == 0
+    assert "'base_link', fit: box, cover: true: at most " in capsys.readouterr().err
+    assert main(command) == 0
+    assert capsys.readouterr().err == ""
+
+
 def test_frames_have_red_green_and_blue_axes(tmp_path: Path) -> None:
     image = pixels(picture(tmp_path, two_balls(), "--show", "frames", "--size", "300x300"))
     for color in ((219, 41, 48), (46, 158, 61), (41, 92, 219)):

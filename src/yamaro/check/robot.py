@@ -38,6 +38,7 @@ def check(
     resolve_mesh: Callable[[str, Span], str | None] | None = None,
     package_fault: PackageFault | None = None,
     path_meant: Callable[[str, Span], str | None] | None = None,
+    may_read: Callable[[str], bool] | None = None,
     advice: Reporter | None = None,
     robot: Robot | None = None,
     numbers: NumberReader | None = None,
@@ -54,6 +55,7 @@ def check(
             looked at; None for a package that is known.
         path_meant: gives the path that the name of a file means, to report one that is not
             there.
+        may_read: whether a file that a mesh names may be read; None allows all.
         advice: takes what is legal but seldom meant, such as a density of 50,000 kg/m³. Without it
             this is not worked out.
         robot: what `read_robot` gives of the root, if that is there already.
@@ -88,6 +90,14 @@ def check(
             package_fault=package_fault,
             path_meant=path_meant,
         )
+    if robot.has_fits and resolve_mesh is not None:
+        try:
+            from .fits import check_fits
+        except ImportError:  # shapes are kept, so that numpy may be missing
+            pass
+        else:
+            context.stage = FILES
+            check_fits(robot, context, resolve_mesh=resolve_mesh, may_read=may_read)
     context.flush()
     if advice is not None:
         if is_semantic(root):

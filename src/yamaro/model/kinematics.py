@@ -10,7 +10,7 @@ from .pose import IDENTITY, UNTURNED, Pose, multiply, rotate, rotation_about, ro
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Sequence
 
     from .joint import Joint
     from .link import Link
@@ -125,6 +125,32 @@ def link_poses(robot: Robot, given: GivenPositions | None = None) -> dict[str, P
             if child not in poses:
                 poses[child] = poses[joint.parent] @ step
     return {name: poses[name] for name in robot.links}
+
+
+def adjacent_links(robot: Robot, solid: Iterable[str]) -> set[tuple[str, str]]:
+    """Return the pairs that joints join, with no other link with shapes between them.
+
+    Args:
+        robot: the robot.
+        solid: the names of the links with shapes.
+    """
+    solid = set(solid)
+    near: dict[str, set[str]] = {name: set() for name in robot.links}
+    for joint in robot.joints.values():
+        if joint.parent in near and joint.child in near:
+            near[joint.parent].add(joint.child)
+            near[joint.child].add(joint.parent)
+    found = set()
+    for start in solid:
+        seen, waiting = {start}, [start]
+        for link in waiting:
+            for other in near[link] - seen:
+                seen.add(other)
+                if other in solid:
+                    found.add((min(start, other), max(start, other)))
+                else:
+                    waiting.append(other)
+    return found
 
 
 def center_of_mass(robot: Robot, given: GivenPositions | None) -> Vector:

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
     from ..confined import Reader
     from ..diagnostics import Diagnostic
+    from ..model.extras import Fitted
     from ..result import Build
     from .request import Moment, Request
     from .stage import Camera
@@ -31,8 +32,20 @@ if TYPE_CHECKING:
 SHARPNESS = 2
 """How many times as wide and high pictures are drawn before they are made small."""
 
+MOST_FITS = 8
+"""Shapes that a remark says how close they are to their mesh; of more, those that are farthest."""
+
 MOST_SHARP_PIXELS = 1 << 22
 """Larger pictures are drawn as they are: drawing takes some 100 bytes for each pixel."""
+
+
+def _fits(fits: Iterable[Fitted]) -> list[str]:
+    """Return how close the collision shapes that were worked out are to their meshes."""
+    every = [each for each in fits if each.section == "collision"]
+    far = sorted(every, key=lambda each: -each.distance / (each.size or 1.0))[:MOST_FITS]
+    said = [f"'{each.link}', {each.asked}: {each.quality()}" for each in every if each in far]
+    left = len(every) - len(far)
+    return said + ([f"{left} more collision shapes are closer to their meshes"] if left else [])
 
 
 class Drawing:
@@ -76,6 +89,8 @@ class Drawing:
         sharpness = 1 if is_large else SHARPNESS
         self._stage = Stage(request.width, request.height, sharpness=sharpness)
         self._figure = Figure(self._robot, self._shapes, self._stage, shows, Meshes(meshes))
+        if COLLISION in shows:
+            self.remarks += _fits(build.robot.fits)
 
     @property
     def warnings(self) -> list[Diagnostic]:

@@ -31,7 +31,7 @@ class Refitting:
     Attributes:
         collision: what links collide with, or None to leave that as it is.
         triangles: the most triangles of a mesh that is seen; 0 leaves them as they are.
-        links: patterns of the names of links; none for all.
+        links: patterns of the names of links, of those to leave out after a `!`; none for all.
     """
 
     __slots__ = ("collision", "links", "triangles")
@@ -47,6 +47,14 @@ class Refitting:
         self.collision = collision
         self.triangles = triangles
         self.links = tuple(links)
+
+    def has_link(self, name: str) -> bool:
+        """Return whether shapes of a link are asked for."""
+        left_out = [each[1:] for each in self.links if each.startswith("!")]
+        if any(fnmatchcase(name, each) for each in left_out):
+            return False
+        named = [each for each in self.links if not each.startswith("!")]
+        return not named or any(fnmatchcase(name, each) for each in named)
 
 
 def refitted(
@@ -79,7 +87,7 @@ def refitted(
     }
     work: list[tuple[Link, str, int, Visual | Collision, Mesh]] = []
     for link in robot.links.values():
-        if wanted.links and not any(fnmatchcase(link.name, each) for each in wanted.links):
+        if not wanted.has_link(link.name):
             continue
         sections: tuple[tuple[str, Sequence[Visual | Collision]], ...] = (
             ("collision", link.collisions),

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from itertools import combinations, starmap
 
+from ...model.kinematics import adjacent_links
 from ...model.schema import DEFAULT_SAMPLES, DEFAULT_SEED
 from ..table import TARGETS
 
@@ -54,7 +55,7 @@ def disabled_pairs(
     solid = [*links]
     settings = robot.collision_settings
     kept = {_sorted(*pair) for pair in settings.keep} if settings is not None else set()
-    found = dict.fromkeys(adjacent_pairs(robot, set(solid)), ADJACENT)
+    found = dict.fromkeys(adjacent_links(robot, solid), ADJACENT)
     rest = [pair for pair in starmap(_sorted, combinations(solid, 2)) if pair not in found]
     rest = [pair for pair in rest if pair not in kept]
     if rest:
@@ -71,29 +72,3 @@ def disabled_pairs(
 
 def _sorted(first: str, second: str) -> tuple[str, str]:
     return (first, second) if first <= second else (second, first)
-
-
-def adjacent_pairs(robot: Robot, solid: Iterable[str]) -> set[tuple[str, str]]:
-    """Return the pairs that joints join, with no other link with shapes between them.
-
-    Args:
-        robot: the robot.
-        solid: the names of the links with shapes.
-    """
-    solid = set(solid)
-    near: dict[str, set[str]] = {name: set() for name in robot.links}
-    for joint in robot.joints.values():
-        if joint.parent in near and joint.child in near:
-            near[joint.parent].add(joint.child)
-            near[joint.child].add(joint.parent)
-    found = set()
-    for start in solid:
-        seen, waiting = {start}, [start]
-        for link in waiting:
-            for other in near[link] - seen:
-                seen.add(other)
-                if other in solid:
-                    found.add(_sorted(start, other))
-                else:
-                    waiting.append(other)
-    return found

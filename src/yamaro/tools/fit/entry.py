@@ -91,7 +91,7 @@ COMMAND = Command(
         ),
         Option(
             "links",
-            "only the links of this name or pattern",
+            "only the links of this name or pattern; after a ! all but these",
             value="PATTERN",
             wants="the name of a link or a pattern",
             is_repeatable=True,
