@@ -95,6 +95,46 @@ def test_a_shape_reaches_no_farther_along_its_axes_than_the_mesh(kind: str) -> N
     assert half <= max(reach) + 1e-5
 
 
+@pytest.mark.parametrize(("lost", "closes"), [(0.2, False), (0.6, False), (0.2, True)])
+def test_a_capsule_with_its_end_cut_off_is_whole_again_only_where_the_mesh_shows_it(
+    lost: float, closes: bool
+) -> None:
+    radius, length = 0.06, 0.08
+    mesh, pose = noisy("capsule", [radius, length], 7, NOISE)
+    local = [pose.inverse().apply(point) for point in mesh.vertices]
+    end = length / 2 + (1 - lost) * radius
+    if closes:
+        mesh.vertices = [pose.apply((x, y, min(z, end))) for x, y, z in local]
+    else:
+        mesh.triangles = [
+            each for each in mesh.triangles if max(local[corner][2] for corner in each) < end
+        ]
+    (piece,) = fitted(mesh, Wanted("fit", kind="capsule")).pieces
+    assert isinstance(piece, Placed)
+    if lost < 0.5 and not closes:
+        assert piece.shape.size == pytest.approx((radius, length), rel=0.02)
+        assert dist(piece.xyz, pose.position) < 0.02 * length
+    else:
+        inside = Pose(rotation_from_rpy(*piece.rpy), piece.xyz).inverse()
+        used = {mesh.vertices[corner] for each in mesh.triangles for corner in each}
+        heights = [inside.apply(point)[2] for point in used]
+        half = piece.shape.size[1] / 2 + piece.shape.size[0]
+        assert -half == pytest.approx(min(heights), abs=0.02 * radius)
+        assert half == pytest.approx(max(heights), abs=0.02 * radius)
+
+
+def test_the_best_around_a_screw_of_half_a_millimetre_is_as_good_as_around_a_large_one() -> None:
+    mesh, _ = noisy("cylinder", [0.05, 1], 4, 0.0)
+    (large,) = fitted(mesh, Wanted("fit", kind="best", covers=True)).pieces
+    mesh.vertices = [(x * 5e-4, y * 5e-4, z * 5e-4) for x, y, z in mesh.vertices]
+    (small,) = fitted(mesh, Wanted("fit", kind="best", covers=True)).pieces
+    assert isinstance(large, Placed)
+    assert isinstance(small, Placed)
+    assert small.shape.kind == large.shape.kind
+    assert small.shape.volume() == pytest.approx(large.shape.volume() * 5e-4**3, rel=1e-3)
+    assert large.shape.volume() < pi * 0.05**2 * 1.2
+
+
 def test_a_shape_is_the_same_from_the_cache_and_along_the_axes_of_its_mesh() -> None:
     mesh, _ = noisy("capsule", [0.05, 0.3], 3, 0.0)
     local = mesh.vertices

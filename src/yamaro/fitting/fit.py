@@ -29,7 +29,7 @@ FEWEST = 4
 """Triangles of a part of one colour, at least."""
 LARGEST_COORDINATE = 1e6
 """In metres: a mesh that reaches farther has no size that makes sense."""
-_VERSION = 8
+_VERSION = 9
 """Changes where the same question gets another answer."""
 
 

@@ -47,6 +47,9 @@ PREFERS_AXES = 1e-3
 """The same for the axes of the mesh, in place of others."""
 THINNEST = 1e-3
 """The least size of a shape, as a part of the mesh's size: what is flat gets a thickness."""
+CAP, NEARLY, WORSE = 0.5, 0.1, 1.5
+"""Of its radius, how far a mesh goes into each cap of a capsule that is longer, and how much may be
+missing; how many times the error is of a capsule that is no longer than the mesh."""
 SLACK = 1e-9
 """How far beyond a corner a shape that contains it reaches, as a part of the mesh's size."""
 
@@ -78,8 +81,8 @@ def primitive_of(mesh: TriangleMesh, kind: str, *, covers: bool) -> Placed:
             error, guess = _least_squares(body, each)
             found.append((error, _rounded(each, guess, frame)))
     least = min(error for error, _ in found)
-    most = least * (1 + ALIKE) + (0.0 if covers else SLIGHT)
-    return next(placed for error, placed in found if error <= most + 1e-9)
+    most = least * (1 + ALIKE) + (0.0 if covers else SLIGHT + 1e-9)
+    return next(placed for error, placed in found if error <= most)
 
 
 class _Frame:
@@ -253,7 +256,33 @@ def _least_squares(body: _Body, kind: str) -> tuple[float, Guess]:
         plain, along = _improved(kind, straight, body.samples, 60, body.outer, turns=False)
         if plain <= error * (1 + PREFERS_AXES) + 1e-9:
             error, guess = plain, along
+    if kind == "capsule":
+        longer, free = _improved(kind, guess, body.samples, 60)
+        if longer * WORSE < error and _is_cut_off(body, free):
+            error, guess = longer, free
     return error, guess
+
+
+def _is_cut_off(body: _Body, capsule: Guess) -> bool:
+    """Return whether the mesh is a capsule whose caps end in openings.
+
+    What is there of a cap has to be curved so much that it says where the capsule would end.
+    """
+    radius, half = capsule.halves
+    local = (body.outer - capsule.center) @ capsule.rotation
+    low, high = -local.min(axis=0), local.max(axis=0)
+    least = radius * (1 - NEARLY)
+    if min(*low[:2], *high[:2]) < least:  # it is not on all sides
+        return False
+    places = (body.samples - capsule.center) @ capsule.rotation
+    across = np.hypot(places[:, 0], places[:, 1])
+    for reach, heights in ((low[2] - half, -places[:, 2]), (high[2] - half, places[:, 2])):
+        if reach < least:
+            opening = float(np.sqrt(radius * radius - reach * reach))
+            inmost = float(across[heights > half].min(initial=radius))
+            if reach < CAP * radius or inmost < opening * (1 - 2 * NEARLY):
+                return False
+    return True
 
 
 def _error_of(found: tuple[float, Guess]) -> float:
@@ -323,11 +352,13 @@ def _improved(
     guess: Guess,
     points: Floats,
     steps: int,
-    outer: Floats,
+    outer: Floats | None = None,
     *,
     turns: bool = True,
 ) -> tuple[float, Guess]:
     """Return the error and the shape after some steps of a search for the least squares.
+
+    With outer corners it reaches no farther than they do.
 
     Source: K. Levenberg, A Method for the Solution of Certain Non-Linear Problems in Least Squares,
     1944; D. Marquardt, 1963.
@@ -349,7 +380,9 @@ def _improved(
             damped = square + damping * np.diag(np.maximum(np.diag(square), 1e-9))
             step = np.zeros(width)
             step[free] = -np.linalg.solve(damped, toward)
-            changed = _bounded(kind, guess.changed(step), outer)
+            changed = guess.changed(step)
+            if outer is not None:
+                changed = _bounded(kind, changed, outer)
             tried = distances(kind, changed, points)
             least = float((tried * tried).sum())
             if least < error:
