@@ -1,4 +1,4 @@
-"""Shapes worked out from meshes that overlap at home where their meshes do not.
+"""Shapes worked out from meshes that overlap at home, or nearly always, where their meshes do not.
 
 MoveIt leaves out all checks of such a pair of links, and simulators push it apart or let it pass
 through each other, though the links do not touch.
@@ -7,6 +7,7 @@ through each other, though the links do not touch.
 from __future__ import annotations
 
 from contextlib import suppress
+from math import pi
 
 import numpy as np
 
@@ -22,12 +23,12 @@ from ..model.shapes import Mesh
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Iterable, Iterator, Sequence
 
     from ..fitting.sampling import Floats
     from ..model.extras import Fitted
     from ..model.link import Link
-    from ..model.pose import Pose
+    from ..model.pose import Pose, Vector
     from ..model.robot import Robot
     from ..source import Span
     from .context import CheckContext
@@ -35,8 +36,22 @@ if TYPE_CHECKING:
     Read = Callable[[str, Span], Floats]
     """Gives the triangles of a mesh file, N×3×3, as referred to at a place."""
 
+TRIED, EXCEPT = 40, 2
+"""How many positions are tried, and at how many of them a pair that always overlaps may not."""
+FARTHEST = 1e4
+"""Radians or metres beyond which a limit is ignored."""
 CONVEX = ("fit", "decompose", "spheres")
 """The words whose shapes are convex, whether these are meshes or not."""
+
+
+class _Whole(Convex):
+    """A convex shape that overlaps others also where that is by little, as MoveIt sees it."""
+
+    __slots__ = ()
+
+    def shrunk(self, way: Vector) -> Vector:
+        """Return the farthest point."""
+        return self.farthest(way)
 
 
 class _Body:
@@ -78,7 +93,7 @@ class _Body:
                 points = [*map(tuple, np.unique(triangles.reshape(-1, 3), axis=0).tolist())]
             if shape is not None and (points or min(shape.size) > 0):
                 simple = None if isinstance(shape, Mesh) else shape
-                self.shapes.append(Convex(pose @ each.pose, simple, points))
+                self.shapes.append(_Whole(pose @ each.pose, simple, points))
                 if index not in made:
                     self.others.append(self.shapes[-1])
 
@@ -96,7 +111,7 @@ class _Body:
     def with_hulls(self) -> list[Convex]:
         """Return what it collides with if the hulls of the meshes are what is worked out."""
         corners = np.unique(self.triangles.reshape(-1, 3), axis=0)
-        return [*self.others, Convex(IDENTITY, None, [*map(tuple, corners.tolist())])]
+        return [*self.others, _Whole(IDENTITY, None, [*map(tuple, corners.tolist())])]
 
 
 def check_fits(
@@ -106,7 +121,7 @@ def check_fits(
     resolve_mesh: Callable[[str, Span], str | None],
     may_read: Callable[[str], bool] | None,
 ) -> None:
-    """Report pairs of links that collide at home only since their shapes were worked out.
+    """Report links that collide at home, or nearly always, only since shapes were worked out.
 
     Left out are pairs that joints join or that cannot move, and links that also collide with a mesh
     as it is.
@@ -122,33 +137,67 @@ def check_fits(
             known[path] = np.array(mesh.vertices)[np.array(mesh.triangles)]
         return known[path]
 
-    poses = link_poses(robot, home_positions(robot))
     fits: dict[str, list[Fitted]] = {name: [] for name in robot.links}
     for fitted in robot.fits:
         if fitted.section == "collision" and fitted.link in fits:
             fits[fitted.link].append(fitted)
     solid = {name: link for name, link in robot.links.items() if link.collisions}
-    bodies: dict[str, _Body] = {}
-    for name, link in solid.items():
-        with suppress(MeshFileError, MissingLibraryError, ValueError):
-            bodies[name] = _Body(link, fits[name], poses[name], read)
     left_out = {frozenset(pair) for pair in adjacent_links(robot, solid)}
     if robot.collision_settings is not None:
         left_out |= {frozenset(pair) for pair in robot.collision_settings.keep}
-    carriers = {name: _carrier(robot, name) for name in bodies}
+    carriers = {name: _carrier(robot, name) for name in solid}
 
     def may(one: str, other: str) -> bool:
         if carriers[one] == carriers[other] or not (fits[one] or fits[other]):
             return False
         return frozenset((one, other)) not in left_out
 
-    shapes = [(shape, name) for name, body in bodies.items() for shape in body.shapes]
-    found = overlapping([shape for shape, _ in shapes], [name for _, name in shapes], may)
-    for first, second in found:
-        pair = bodies[shapes[first][1]], bodies[shapes[second][1]]
-        with suppress(MeshFileError, MissingLibraryError, ValueError):
-            if not _meet(*pair):
-                _report(*pair, context)
+    def overlaps(
+        positions: dict[str, float], names: Iterable[str]
+    ) -> dict[tuple[str, str], tuple[_Body, _Body]]:
+        poses, bodies = link_poses(robot, positions), {}
+        for name in names:
+            with suppress(MeshFileError, MissingLibraryError, ValueError):
+                bodies[name] = _Body(solid[name], fits[name], poses[name], read)
+        shapes = [(shape, name) for name, body in bodies.items() for shape in body.shapes]
+        found = overlapping([shape for shape, _ in shapes], [name for _, name in shapes], may)
+        pairs = [(shapes[first][1], shapes[second][1]) for first, second in found]
+        return {pair: (bodies[pair[0]], bodies[pair[1]]) for pair in pairs}
+
+    at_home = overlaps(home_positions(robot), solid)
+    often: dict[tuple[str, str], list[tuple[_Body, _Body]]] = {}
+    left = [name for name in solid if any(may(name, other) for other in solid)]
+    for number, row in enumerate(_random_positions(robot)):
+        for pair, bodies in overlaps(row, left).items():
+            often.setdefault(pair, []).append(bodies)
+        often = {
+            pair: found
+            for pair, found in often.items()
+            if number + 1 - len(found) <= EXCEPT and pair not in at_home
+        }
+        left = [name for name in left if number < EXCEPT or any(name in pair for pair in often)]
+        if not left:
+            break
+    with suppress(MeshFileError, MissingLibraryError):
+        for bodies in at_home.values():
+            if not _meet(*bodies):
+                _report(*bodies, context, where="at home")
+        for found in often.values():
+            if sum(not _meet(*bodies) for bodies in found) > EXCEPT:
+                _report(*found[0], context, where="nearly everywhere")
+
+
+def _random_positions(robot: Robot) -> Iterator[dict[str, float]]:
+    """Yield positions of all joints that move independently, the same ones each time."""
+    random = np.random.Generator(np.random.PCG64(1))
+    for parts in random.random((TRIED, len(robot.joints))):
+        found = {}
+        for part, joint in zip(parts.tolist(), robot.free_joints(), strict=False):
+            low, high = joint.lower, joint.upper
+            if low is None or high is None or max(abs(low), abs(high)) > FARTHEST:
+                low, high = -pi, pi
+            found[joint.name] = low + part * (high - low)
+        yield found
 
 
 def _carrier(robot: Robot, name: str) -> str:
@@ -184,7 +233,7 @@ def _reaches(shape: Convex, triangles: Floats) -> bool:
     Where it does not, a plane is between it and a triangle, which leaves out most others too.
     """
     while len(triangles):
-        triangle = Convex(IDENTITY, None, [*map(tuple, triangles[0].tolist())])
+        triangle = _Whole(IDENTITY, None, [*map(tuple, triangles[0].tolist())])
         is_reached, ways = witness(shape, triangle)
         if is_reached:
             return True
@@ -196,7 +245,7 @@ def _reaches(shape: Convex, triangles: Floats) -> bool:
     return False
 
 
-def _report(one: _Body, other: _Body, context: CheckContext) -> None:
+def _report(one: _Body, other: _Body, context: CheckContext, *, where: str) -> None:
     """Report two links, at the fit that is farthest from its mesh, with fits that are apart."""
     worse, better = sorted(
         (one, other), key=lambda each: -max((fit.distance for fit in each.fits), default=-1.0)
@@ -217,9 +266,10 @@ def _report(one: _Body, other: _Body, context: CheckContext) -> None:
     notes = [f"the shape of '{each.link}' is at {each.span.place()}" for each in better.fits[:1]]
     context.report(
         "fits-overlap",
-        f"the links '{worse.link}' and '{better.link}' overlap at home, and their meshes do not, "
+        f"the links '{worse.link}' and '{better.link}' overlap {where}, and their meshes do not, "
         "so that MoveIt never checks this pair",
         fitted.element,
+        missing=better.link,  # for one shape, each other link is reported
         hint=f"try {what} for {names}{', with which they are apart' if enough else ''}",
         notes=notes,
     )
