@@ -22,7 +22,7 @@ from yamaro.fitting.sampling import Solid
 from yamaro.fitting.spheres import spheres_of
 from yamaro.meshes.encoding import stl_of
 from yamaro.meshes.formats import MeshFileError
-from yamaro.meshes.triangles import TriangleMesh
+from yamaro.meshes.triangles import TriangleMesh, is_closed
 
 
 def turned(body: Any, seed: int) -> Any:
@@ -177,7 +177,7 @@ def test_spheres_stay_in_an_open_end() -> None:
 def test_a_lighter_mesh_is_near_the_first_one_or_has_more_triangles() -> None:
     body = turned(creation.torus(1.0, 0.3, major_sections=64, minor_sections=32), seed=5)
     for most in (300, 2000):
-        other = lighter(mesh_of(body), most)
+        (other,), said = lighter([mesh_of(body)], most, size=body.extents.max())
         assert len(other.triangles) < len(body.faces)
         found = body_of(other)
         points = trimesh.sample.sample_surface(body, 800, seed=1)[0]
@@ -185,8 +185,10 @@ def test_a_lighter_mesh_is_near_the_first_one_or_has_more_triangles() -> None:
         apart = trimesh.proximity.closest_point(found, points)[1].max()
         apart = max(apart, trimesh.proximity.closest_point(body, back)[1].max())
         assert apart <= FARTHEST * body.extents.max()
+        assert apart <= said * 1.02
+        assert other.triangles
+        assert is_closed(other)
         assert len(other.triangles) <= most or most == 300
-    assert lighter(mesh_of(body), 10**6).triangles == body.faces.tolist()
 
 
 FLAT = TriangleMesh([(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)], [(0, 1, 2), (1, 3, 2)])

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from ..meshes.encoding import stl_of
 from ..meshes.formats import MeshFileError, MissingLibraryError
-from ..meshes.triangles import TriangleMesh, is_closed, joined, read_mesh, read_stl
+from ..meshes.triangles import TriangleMesh, joined, read_mesh, read_stl
 from ..model.shapes import SIMPLE_SHAPES
 
 if TYPE_CHECKING:
@@ -25,11 +25,9 @@ if TYPE_CHECKING:
 FIT, DECOMPOSE, SPHERES, TRIANGLES = "fit", "decompose", "spheres", "triangles"
 """The words by which a shape is asked for."""
 BEST, HULL = "best", "hull"
-FEWEST = 4
-"""Triangles of a part of one colour, at least."""
 LARGEST_COORDINATE = 1e6
 """In metres: a mesh that reaches farther has no size that makes sense."""
-_VERSION = 9
+_VERSION = 10
 """Changes where the same question gets another answer."""
 
 
@@ -243,22 +241,23 @@ def _lightened(
 ) -> Fit:
     """Return the parts of a mesh with at most `count` triangles, or no pieces if it has no more."""
     from .lighter import lighter
-    from .quality import quality_of
+    from .quality import volume_of
 
+    volume = volume_of(mesh)
     total = sum(len(part.triangles) for part, _ in parts)
-    share = count / max(total, 1)
-    pieces = [
-        lighter(part, max(FEWEST, int(len(part.triangles) * share)), size=size) for part, _ in parts
-    ]
-    if total <= count or sum(len(each.triangles) for each in pieces) >= total:
-        return Fit((), distance=0.0, excess=0.0 if is_closed(mesh) else None, size=size)
-    distance, excess = quality_of(mesh, [joined(pieces)])
+    pieces, distance = [part for part, _ in parts], 0.0
+    if total > count:
+        pieces, distance = lighter(pieces, count, size=size)
+    if sum(len(each.triangles) for each in pieces) >= total:
+        return Fit((), distance=0.0, excess=None if volume is None else 0.0, size=size)
+    kept = [index for index, piece in enumerate(pieces) if piece.triangles]
+    excess = volume and (volume_of(joined(pieces)) or 0.0) / volume - 1
     return Fit(
-        tuple(map(stl_of, pieces)),
+        tuple(stl_of(pieces[index]) for index in kept),
         distance=distance,
         excess=excess,
         size=size,
-        colors=tuple([color for _, color in parts]),
+        colors=tuple(parts[index][1] for index in kept),
     )
 
 

@@ -1,7 +1,6 @@
 """Meshes with fewer triangles, which look the same.
 
-Edges are collapsed where that changes the surface least, by fast-simplification. Source:
-M. Garland, P. S. Heckbert, Surface Simplification Using Quadric Error Metrics, SIGGRAPH 1997.
+Edges collapse until there are few enough triangles, or the surfaces would be too far apart.
 """
 
 from __future__ import annotations
@@ -10,17 +9,17 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..meshes.formats import MissingLibraryError
 from ..meshes.surfaces import read_surfaces
 from ..meshes.triangles import TriangleMesh, joined
-from .quality import quality_of
-from .sampling import arrays_of
+from .collapse import states
+from .quality import Surface
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
     from numpy.typing import NDArray
 
+    from .collapse import State
     from .fit import Color
 
     Floats = NDArray[np.floating[Any]]
@@ -28,10 +27,8 @@ if TYPE_CHECKING:
 
 FARTHEST = 0.01
 """How far the surfaces may be apart, as a part of the mesh's size."""
-HASTES = (1, 2, 3, 4, 5, 7)
-"""How hastily edges are collapsed: the lower, the nearer, and the fewer of them."""
-STEP = 1.6
-"""How many times as many triangles are tried if they are farther apart."""
+EXACT = 1e-3
+"""Below this part of the mesh's size a distance is an upper bound."""
 MOST_COLORS = 32
 """Colours that a mesh keeps; each is a mesh of its own."""
 
@@ -80,58 +77,44 @@ def parts_by_color(
     return [(joined(parts), color) for color, parts in found.items()], lost
 
 
-def lighter(mesh: TriangleMesh, most: int, *, size: float = 0.0) -> TriangleMesh:
-    """Return a mesh of at most `most` triangles, or of more if it takes more to be near the first.
+def lighter(
+    parts: Sequence[TriangleMesh], most: int, *, size: float
+) -> tuple[list[TriangleMesh], float]:
+    """Return the parts of a mesh with at most `most` triangles together, and how far they are away.
 
-    The surfaces are nowhere farther apart than `FARTHEST`. A mesh that has no more triangles is
-    returned as it is.
+    They have more triangles if it takes more to stay within `FARTHEST`, and are those given if
+    nothing lighter does. A part that is too small to be seen may lose all.
 
     Args:
-        mesh: the mesh, or a part of one.
+        parts: the parts; where they touch, they stay together.
         most: the greatest number of triangles.
-        size: the longest side of the box around what it is a part of; by default its own.
-
-    Raises:
-        MeshFileError: the mesh has no surface.
-        MissingLibraryError: fast-simplification is not installed.
+        size: the longest side of the box around all of them, in metres.
     """
-    if len(mesh.triangles) <= most:
-        return mesh
-    points, triangles = arrays_of(mesh)
-    size = max(size, float(np.ptp(points, axis=0).max()))
-    wanted = float(most)
-    while wanted < len(triangles):
-        found = collapsed(points, triangles, int(wanted))
-        if len(found[1]) <= wanted:
-            other = _mesh_of(*found)
-            if quality_of(mesh, [other])[0] <= FARTHEST * size:
-                return other
-        wanted *= STEP
-    return mesh
-
-
-def collapsed(points: Floats, triangles: Whole, most: int) -> tuple[Floats, Whole]:
-    """Return corners and triangles near those of a mesh: `most`, or more where it takes more.
-
-    Raises:
-        MissingLibraryError: fast-simplification is not installed.
-    """
-    try:
-        from fast_simplification import simplify
-    except ImportError as error:
-        raise MissingLibraryError("fast-simplification") from error
-    low, size = points.min(axis=0), float(np.ptp(points, axis=0).max())
-    unit, rows = (points - low) / size, triangles.astype(np.int32)
-    fewest = points, triangles
-    for haste in HASTES:
-        found, corners = simplify(unit, rows, target_count=most, agg=haste)
-        corners = np.asarray(corners, int)
-        corners = corners[(np.diff(np.sort(corners, axis=1), axis=1) > 0).all(axis=1)]
-        if 0 < len(corners) < len(fewest[1]):
-            fewest = np.asarray(found, float) * size + low, corners
-        if len(fewest[1]) <= most:
-            break
-    return fewest
+    corners = [np.array(part.vertices, float).reshape(-1, 3) for part in parts]
+    firsts = np.cumsum([0, *map(len, corners)])
+    rows = [np.array(part.triangles, int).reshape(-1, 3) for part in parts]
+    labels = np.repeat(np.arange(len(parts)), [*map(len, rows)])
+    every = np.concatenate([each + first for each, first in zip(rows, firsts[:-1], strict=True)])
+    used, places = np.unique(every, return_inverse=True)
+    points, corner = np.unique(np.concatenate(corners)[used], axis=0, return_inverse=True)
+    triangles = corner.reshape(-1)[places].reshape(-1, 3)
+    first = Surface(points, triangles)
+    found: State | None = None
+    tried = list(states(points, triangles, labels, most))
+    limit = FARTHEST * size
+    low, high = 0, len(tried)  # of those before low one is near enough, and of those from high none
+    index = high - 1
+    while low < high:
+        if first.apart_from(Surface(*tried[index][:2]), limit) <= limit:
+            found, low = tried[index], index + 1
+        else:
+            high = index
+        index = (low + high) // 2
+    if found is None:
+        return [*parts], 0.0
+    places_left, left, owners = found
+    apart = first.apart_from(Surface(places_left, left), EXACT * size)
+    return [_mesh_of(places_left, left[owners == label]) for label in range(len(parts))], apart
 
 
 def _mesh_of(points: Floats, triangles: Whole) -> TriangleMesh:

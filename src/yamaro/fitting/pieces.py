@@ -18,11 +18,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from scipy.spatial import ConvexHull, QhullError
 
-from ..meshes.formats import MeshFileError
+from ..meshes.formats import MeshFileError, MissingLibraryError
 from ..meshes.triangles import TriangleMesh, is_closed
 from .corners import simplified
 from .hull import hull_mesh
-from .lighter import collapsed
 from .sampling import Solid, areas_of, arrays_of
 
 if TYPE_CHECKING:
@@ -37,6 +36,8 @@ FEW, MANY = 2_000, 20_000
 VERY_MANY, CELLS = 100_000, 256
 """Triangles from which on corners are one that are in the same cell of a grid, and its cells along
 the longest side."""
+HASTES = (1, 2, 3, 4, 5, 7)
+"""How hastily fast-simplification collapses edges: the lower, the nearer, and the fewer of them."""
 CUTS = 15
 """Planes that are tried along each direction, and again around the best one."""
 FINER = 2
@@ -431,10 +432,34 @@ def _lighter(points: Floats, indices: Whole, most: int) -> tuple[Floats, Whole]:
     if len(indices) > VERY_MANY:
         points, indices = _clustered(points, indices, CELLS)
     if len(indices) > most:
-        points, indices = collapsed(points, indices, most)
+        points, indices = _collapsed(points, indices, most)
     if len(indices) > 2 * most:
         points, indices = _clustered(points, indices, int((most / 2) ** 0.5))
     return points, indices
+
+
+def _collapsed(points: Floats, triangles: Whole, most: int) -> tuple[Floats, Whole]:
+    """Return corners and triangles near those of a mesh: `most`, or more where it takes more.
+
+    Raises:
+        MissingLibraryError: fast-simplification is not installed.
+    """
+    try:
+        from fast_simplification import simplify
+    except ImportError as error:
+        raise MissingLibraryError("fast-simplification") from error
+    low, size = points.min(axis=0), float(np.ptp(points, axis=0).max())
+    unit, rows = (points - low) / size, triangles.astype(np.int32)
+    fewest = points, triangles
+    for haste in HASTES:
+        found, corners = simplify(unit, rows, target_count=most, agg=haste)
+        corners = np.asarray(corners, int)
+        corners = corners[(np.diff(np.sort(corners, axis=1), axis=1) > 0).all(axis=1)]
+        if 0 < len(corners) < len(fewest[1]):
+            fewest = np.asarray(found, float) * size + low, corners
+        if len(fewest[1]) <= most:
+            break
+    return fewest
 
 
 def _clustered(points: Floats, indices: Whole, cells: int) -> tuple[Floats, Whole]:

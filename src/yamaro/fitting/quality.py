@@ -31,8 +31,6 @@ FEWER = 1500
 """Points on the pieces."""
 NEAREST = 4
 """Triangles that are looked at around a point."""
-MOST_LONG = 20_000
-"""Triangles that are looked at since they reach far."""
 MOST_CORNERS = 20_000
 """Corners of the mesh that are looked at."""
 CELLS = 48
@@ -56,7 +54,7 @@ def quality_of(
     There is no excess where the mesh is not closed.
     """
     points, triangles = arrays_of(mesh)
-    own = _Surface(points, triangles)
+    own = Surface(points, triangles)
     pairs = [_Piece(piece) for piece in pieces]
     step = max(1, len(points) // MOST_CORNERS)
     looked_at = np.concatenate([own.samples, points[::step]])
@@ -73,12 +71,20 @@ def quality_of(
             if number != index and len(outer):  # what is inside of another piece does not count
                 outer = outer[other.distances(outer) > -1e-9]
         if len(outer):
-            farthest = max(farthest, float(own.distances(outer).max()))
-    inside = enclosed(points, triangles)
-    if inside <= 1e-9 * float(np.ptp(points, axis=0).max()) ** 3 or not is_closed(mesh):
+            farthest = max(farthest, own.farthest(outer))
+    inside = volume_of(mesh)
+    if inside is None:
         return float(f"{farthest:.{DIGITS}g}"), None
     volume = pairs[0].volume() if len(pairs) == 1 else _volume_together(pairs)
     return float(f"{farthest:.{DIGITS}g}"), round(volume / inside - 1, DIGITS) + 0.0
+
+
+def volume_of(mesh: TriangleMesh) -> float | None:
+    """Return the volume in m³ that a mesh encloses; None for one that is not closed, or flat."""
+    points, triangles = arrays_of(mesh)
+    inside = enclosed(points, triangles)
+    flat = 1e-9 * float(np.ptp(points, axis=0).max()) ** 3
+    return None if inside <= flat or not is_closed(mesh) else inside
 
 
 def _volume_together(pieces: Sequence[_Piece]) -> float:
@@ -96,7 +102,7 @@ def _volume_together(pieces: Sequence[_Piece]) -> float:
     return float(is_in.sum()) * cell**3
 
 
-class _Surface:
+class Surface:
     """The surface of triangles.
 
     Attributes:
@@ -105,7 +111,7 @@ class _Surface:
     """
 
     __slots__ = (
-        "_found_in", "_long", "_points", "_tree", "_triangles", "normals", "samples",
+        "_by_reach", "_found_in", "_points", "_tree", "_triangles", "normals", "samples",
     )  # fmt: skip
 
     def __init__(self, points: Floats, triangles: Whole) -> None:
@@ -113,44 +119,80 @@ class _Surface:
         self._triangles = triangles
         samples, found_in = spread_over(points, triangles, SAMPLES)
         middles = points[triangles].mean(axis=1)
-        step = max(1, len(middles) // SAMPLES)
         self.samples = samples
         a, b, c = np.moveaxis(points[triangles[found_in]], 1, 0)
         normals = np.cross(b - a, c - a)
         lengths = np.linalg.norm(normals, axis=1)
         self.normals = normals / np.where(lengths > 0, lengths, 1.0)[:, None]
-        self._found_in = np.concatenate([found_in, np.arange(0, len(middles), step)])
-        self._tree = cKDTree(np.concatenate([samples, middles[::step]]))
+        self._found_in = np.concatenate([found_in, np.arange(len(middles))])
+        self._tree = cKDTree(np.concatenate([samples, middles]))
         reach = np.sqrt(((points[triangles] - middles[:, None]) ** 2).sum(axis=2)).max(axis=1)
-        chosen = np.argsort(-reach, kind="stable")[:MOST_LONG]
-        octaves = np.ceil(np.log2(np.maximum(reach[chosen], 1e-300)))
-        self._long: list[tuple[Whole, cKDTree, float]] = []
+        octaves = np.ceil(np.log2(np.maximum(reach, 1e-300)))
+        self._by_reach: list[tuple[Whole, cKDTree, float]] = []
         for octave in np.unique(octaves):
-            some = chosen[octaves == octave]
-            self._long.append((some, cKDTree(middles[some]), float(reach[some].max())))
+            some = np.flatnonzero(octaves == octave)
+            self._by_reach.append((some, cKDTree(middles[some]), float(reach[some].max())))
+
+    def apart_from(self, other: Surface, enough: float) -> float:
+        """Return the greatest distance from a point of either surface to the other, in metres.
+
+        Below `enough` it is an upper bound.
+        """
+        return max(
+            self.farthest(other.looked_at(), enough), other.farthest(self.looked_at(), enough)
+        )
+
+    def looked_at(self) -> Floats:
+        """Return points spread over the surface, corners, and the middles of edges."""
+        step = max(1, len(self._points) // MOST_CORNERS)
+        sides = np.sort(self._triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
+        sides = sides[:: max(1, len(sides) // MOST_CORNERS)]
+        middles = self._points[sides].mean(axis=1)
+        return np.concatenate([self.samples, self._points[::step], middles])
 
     def distances(self, points: Floats) -> Floats:
-        """Return the distances of points to the triangles.
-
-        A point is measured to the triangles that the nearest samples are in, and to each of those
-        that reach farthest from their middles which may be nearer.
-        """
-        found = []
+        """Return the distances of points to the triangles."""
+        found: list[Floats] = [np.zeros(0)]
         for start in range(0, len(points), 256):
             some = points[start : start + 256]
-            count = min(NEAREST, len(self._found_in))
-            nearest = self._tree.query(some, k=[*range(1, count + 1)])[1]
-            corners = self._points[self._triangles[self._found_in[nearest]]]
-            least = _to_triangles(some[:, None, :], corners).min(axis=1)
-            for chosen, tree, reach in self._long:
-                lists = tree.query_ball_point(some, least + reach)
-                which = np.repeat(np.arange(len(some)), [*map(len, lists)])
-                if len(which):
-                    near = chosen[np.concatenate(lists).astype(int)]
-                    corners = self._points[self._triangles[near]]
-                    np.minimum.at(least, which, _to_triangles(some[which], corners))
-            found.append(least)
-        return np.concatenate(found) if found else np.zeros(0)
+            found.append(self._measured(some, self._at_most(some)))
+        return np.concatenate(found)
+
+    def farthest(self, points: Floats, enough: float = 0.0) -> float:
+        """Return the greatest distance of points to the triangles; below `enough` an upper bound.
+
+        Only points are measured that may be farther away than those which were.
+        """
+        most = np.concatenate(
+            [self._at_most(points[start : start + 1024]) for start in range(0, len(points), 1024)]
+        )
+        order, found = np.argsort(-most, kind="stable"), 0.0
+        for start in range(0, len(points), 64):
+            some = order[start : start + 64]
+            if most[some[0]] <= max(found, enough):
+                return max(found, float(most[some[0]]))
+            found = max(found, float(self._measured(points[some], most[some]).max()))
+        return found
+
+    def _at_most(self, points: Floats) -> Floats:
+        """Return the distances of points to the triangles that the nearest samples are in."""
+        count = min(NEAREST, len(self._found_in))
+        nearest = self._tree.query(points, k=[*range(1, count + 1)])[1]
+        corners = self._points[self._triangles[self._found_in[nearest]]]
+        found: Floats = _to_triangles(points[:, None, :], corners).min(axis=1)
+        return found
+
+    def _measured(self, points: Floats, most: Floats) -> Floats:
+        """Return the distances of points to the triangles, which are at most these."""
+        least = most.copy()
+        for chosen, tree, reach in self._by_reach:
+            lists = tree.query_ball_point(points, least + reach)
+            which = np.repeat(np.arange(len(points)), [*map(len, lists)])
+            if len(which):
+                near = chosen[np.concatenate(lists).astype(int)]
+                corners = self._points[self._triangles[near]]
+                np.minimum.at(least, which, _to_triangles(points[which], corners))
+        return least
 
 
 def _to_triangles(points: Floats, corners: Floats) -> Floats:
@@ -184,11 +226,11 @@ class _Piece:
 
     def __init__(self, piece: Placed | TriangleMesh) -> None:
         self._piece = piece
-        self._surface: _Surface | None = None
+        self._surface: Surface | None = None
         self._inside: tuple[Floats, Floats] | None = None
         if isinstance(piece, TriangleMesh):
             points, triangles = arrays_of(piece)
-            self._surface = _Surface(points, triangles)
+            self._surface = Surface(points, triangles)
             self._inside = _planes(points, enclosed(points, triangles))
             return
         sizes = np.array(piece.shape.size)
