@@ -303,14 +303,15 @@ def test_a_lighter_mesh_keeps_its_colours_and_one_that_is_light_its_file() -> No
     Path("balls.urdf").write_text(text, encoding="utf-8")
     assert main(["fit", "balls.urdf", "-o", "out/balls.urdf", "--triangles", "800", "-q"]) == 0
     visuals = build("out/balls.urdf").robot.links["arm"].visuals
-    found = {}
+    found, count = {}, 0
     for visual in visuals:
         assert visual.material is not None
         assert isinstance(visual.shape, Mesh)
         mesh = trimesh.load(Path("out", visual.shape.filename), force="mesh")
-        assert len(mesh.faces) <= 400
+        count += len(mesh.faces)
         assert mesh.extents.max() == pytest.approx(0.4, rel=0.03)
         found[round(float(mesh.centroid[0]))] = visual.material.color
+    assert 4 <= count <= 800
     assert found == {
         0: pytest.approx(parts["red"][0]),
         2: pytest.approx(parts["blue"][0], abs=0.01),
