@@ -116,6 +116,13 @@ BAD = {
         bytes(80) + struct.pack("<I12f2x", 1, 0, 0, 0, 0, 0, 0, 1e30, 0, 0, 0, 1e30, 0),
         "needs its 'scale'",
     ),
+    "no scene": (
+        (
+            b'<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">'
+            b"<asset/><library_geometries/></COLLADA>"
+        ),
+        "missing, such as its scene",
+    ),
     "corner that is not there": (b"v 0 0 0\nv 1 0 0\nf 1 2 3\n", "cannot be read"),
 }
 

@@ -107,6 +107,8 @@ def read_bodies(
             raise
         except Exception as error:
             reason = str(error) or type(error).__name__
+            if isinstance(error, AttributeError):  # it looked for what is not there
+                reason = "a part of it is missing, such as its scene"
             raise MeshFileError(f"trimesh cannot read it: {reason}") from error
 
 
