@@ -242,6 +242,7 @@ def _lightened(
     """Return the parts of a mesh with at most `count` triangles, or no pieces if it has no more."""
     from .lighter import lighter
     from .quality import volume_of
+    from .sampling import arrays_of, enclosed
 
     volume = volume_of(mesh)
     total = sum(len(part.triangles) for part, _ in parts)
@@ -251,7 +252,7 @@ def _lightened(
     if sum(len(each.triangles) for each in pieces) >= total:
         return Fit((), distance=0.0, excess=None if volume is None else 0.0, size=size)
     kept = [index for index, piece in enumerate(pieces) if piece.triangles]
-    excess = volume and (volume_of(joined(pieces)) or 0.0) / volume - 1
+    excess = volume and round(enclosed(*arrays_of(joined(pieces))) / volume - 1, 6) + 0.0
     return Fit(
         tuple(stl_of(pieces[index]) for index in kept),
         distance=distance,
