@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
     from .diagnostics import Diagnostic
     from .model.robot import Robot
+    from .options import Options
     from .policy import Policy
     from .request import Request
     from .robot.lowering import Fitter
@@ -556,6 +557,7 @@ def check(
         package_fault=finder.package_fault,
         path_meant=finder.path_meant,
         may_read=finder.allows,
+        looks_at_fits=_looks_at_fits(request.options),
         advice=advisor,
         robot=robot,
         numbers=numbers,
@@ -568,3 +570,10 @@ def check(
         if wants is not None and wants(diagnostic.code):
             reporter.add(diagnostic)
     return robot, has_files
+
+
+def _looks_at_fits(options: Options) -> bool:
+    """Return whether `yamaro check` or `fit` runs, or an SRDF is written."""
+    wants = options.wanted_advice()
+    is_wanted = wants is not None and wants("fits-overlap")
+    return is_wanted or options.refitting is not None or "srdf" in (options.target or ())

@@ -7,6 +7,7 @@ through each other, though the links do not touch.
 from __future__ import annotations
 
 from contextlib import suppress
+from itertools import islice
 from math import pi
 
 import numpy as np
@@ -183,8 +184,9 @@ def check_fits(
             if not _meet(*bodies):
                 _report(*bodies, context, where="at home")
         for found in often.values():
-            if sum(not _meet(*bodies) for bodies in found) > EXCEPT:
-                _report(*found[0], context, where="nearly everywhere")
+            apart = (bodies for bodies in found if not _meet(*bodies))
+            if next(islice(apart, EXCEPT, None), None):
+                _report(*found[0], context, where="at nearly all positions")
 
 
 def _random_positions(robot: Robot) -> Iterator[dict[str, float]]:

@@ -39,6 +39,7 @@ def check(
     package_fault: PackageFault | None = None,
     path_meant: Callable[[str, Span], str | None] | None = None,
     may_read: Callable[[str], bool] | None = None,
+    looks_at_fits: bool = False,
     advice: Reporter | None = None,
     robot: Robot | None = None,
     numbers: NumberReader | None = None,
@@ -56,6 +57,8 @@ def check(
         path_meant: gives the path that the name of a file means, to report one that is not
             there.
         may_read: whether a file that a mesh names may be read; None allows all.
+        looks_at_fits: whether to compare shapes that were worked out with their meshes, which
+            takes a second or more.
         advice: takes what is legal but seldom meant, such as a density of 50,000 kg/m³. Without it
             this is not worked out.
         robot: what `read_robot` gives of the root, if that is there already.
@@ -90,7 +93,7 @@ def check(
             package_fault=package_fault,
             path_meant=path_meant,
         )
-    if robot.has_fits and resolve_mesh is not None:
+    if looks_at_fits and robot.has_fits and resolve_mesh is not None:
         try:
             from .fits import check_fits
         except ImportError:  # shapes are kept, so that numpy may be missing
