@@ -327,3 +327,21 @@ def test_a_lighter_mesh_keeps_its_colours_and_one_that_is_light_its_file() -> No
     kept = Path("out/kept.urdf").read_text(encoding="utf-8")
     assert kept.count("balls.glb") == 1
     assert "<material" not in kept
+
+
+def test_a_colour_that_is_too_small_to_stay_is_told(capsys: pytest.CaptureFixture[str]) -> None:
+    import trimesh
+
+    scene = trimesh.Scene()
+    for level, radius, x, color in ((4, 0.1, 0.0, (1.0, 0, 0, 1)), (1, 5e-4, 0.1, (0, 1.0, 0, 1))):
+        ball = trimesh.creation.icosphere(level, radius)
+        ball.apply_translation((x, 0, 0))
+        material = trimesh.visual.material.PBRMaterial(baseColorFactor=color)
+        ball.visual = trimesh.visual.TextureVisuals(material=material)
+        scene.add_geometry(ball)
+    scene.export("led.glb")
+    text = URDF.replace("collision", "visual").replace("arm.stl", "led.glb")
+    Path("led.urdf").write_text(text, encoding="utf-8")
+    assert main(["fit", "led.urdf", "-o", "out/led.urdf", "--triangles", "300"]) == 0
+    assert len(build("out/led.urdf").robot.links["arm"].visuals) == 1
+    assert "lost-colors]: the smallest colours of the mesh 'led.glb'" in capsys.readouterr().err

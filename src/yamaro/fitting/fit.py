@@ -27,7 +27,7 @@ FIT, DECOMPOSE, SPHERES, TRIANGLES = "fit", "decompose", "spheres", "triangles"
 BEST, HULL = "best", "hull"
 LARGEST_COORDINATE = 1e6
 """In metres: a mesh that reaches farther has no size that makes sense."""
-_VERSION = 10
+_VERSION = 11
 """Changes where the same question gets another answer."""
 
 
@@ -85,7 +85,8 @@ class Fit:
             for a mesh that is not closed.
         size: the longest side of the box around the mesh, in metres.
         colors: of each piece red, green, blue and alpha from 0 to 1, or None; empty without any.
-        loses: what the mesh looks like and the pieces do not: `texture`, `colours` or "".
+        loses: what the mesh looks like and the pieces do not: `texture`, `colours`,
+            `smallest colours` or "".
     """
 
     __slots__ = ("colors", "distance", "excess", "loses", "pieces", "size")
@@ -151,7 +152,9 @@ def work_out(
                 if len(parts) == 1:
                     parts = [(mesh, parts[0][1])]
             known[key] = fitted(mesh, wanted, parts)
-            known[key].loses = lost if known[key].pieces else ""
+            if known[key].pieces:
+                is_whole = wanted.word != TRIANGLES or len(known[key].pieces) == len(parts)
+                known[key].loses = lost or ("" if is_whole else "smallest colours")
             if cache is not None and key:
                 cache.put(key, packed(known[key]))
     return known[key]
