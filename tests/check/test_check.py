@@ -246,7 +246,7 @@ def test_every_code_is_explained() -> None:
     everything = FAULTY + ADVISED + bad_robots("advice") + bad_robots("srdf")
     used = {code for robot in everything for code in robot.codes}
     used |= {"missing-mesh-file", "unknown-package", "large-mesh", "long-chain", "not-urdf"}
-    used |= {"hidden-package", "unused-allow", "effort-above-stall", "poor-fit"}
+    used |= {"hidden-package", "unused-allow", "effort-above-stall", "poor-fit", "fits-overlap"}
     assert used == explained
 
 

@@ -93,7 +93,7 @@ def check(
             package_fault=package_fault,
             path_meant=path_meant,
         )
-    if looks_at_fits and robot.has_fits and resolve_mesh is not None:
+    if looks_at_fits and robot.fits and resolve_mesh is not None:
         try:
             from .fits import check_fits
         except ImportError:  # shapes are kept, so that numpy may be missing

@@ -359,11 +359,6 @@ class Robot(Written):
         """Return the shapes that were worked out from meshes, in order."""
         return self._more().fits
 
-    @property
-    def has_fits(self) -> bool:
-        """Return whether there are any, without reading them."""
-        return any(note.name == "fit" for note in self._notes)
-
     def is_convex(self, link: Link, collision: Collision) -> bool:
         """Return whether a collision is a mesh that was made as a convex piece of another one."""
         return any(
