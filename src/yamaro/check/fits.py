@@ -261,9 +261,10 @@ def _report(one: _Body, other: _Body, context: CheckContext, *, where: str) -> N
         enough = [worse, better]
     else:
         enough = []
-    what = "fit: hull" if enough else "decompose: 8"
+    hull, pieces = "fit: hull", "decompose: 8"
     if fitted.element.span.source.is_xml:
-        what = f"--{what.replace('fit: ', 'shape ').replace(':', '')}"
+        hull, pieces = "--shape hull", "--decompose 8"
+    what = hull if enough else pieces
     names = " and ".join([f"'{each.link}'" for each in enough or (worse, better) if each.fits])
     notes = [f"the shape of '{each.link}' is at {each.span.place()}" for each in better.fits[:1]]
     context.report(
