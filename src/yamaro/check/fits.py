@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from contextlib import suppress
 from itertools import islice
-from math import pi
 
 import numpy as np
 
@@ -16,10 +15,9 @@ from ..fitting.crossing import are_crossing
 from ..meshes.formats import MeshFileError, MissingLibraryError
 from ..meshes.triangles import read_mesh
 from ..model.convex import Convex, overlapping, witness
-from ..model.joint import FIXED
-from ..model.kinematics import adjacent_links, link_poses
+from ..model.kinematics import adjacent_links, from_the_roots, link_poses, rigid_parts
 from ..model.pose import IDENTITY
-from ..model.positions import home_positions
+from ..model.positions import home_positions, tried_range
 from ..model.shapes import Mesh
 
 TYPE_CHECKING = False
@@ -39,8 +37,6 @@ if TYPE_CHECKING:
 
 TRIED, EXCEPT = 40, 2
 """How many positions are tried, and at how many of them a pair that always overlaps may not."""
-FARTHEST = 1e4
-"""Radians or metres beyond which a limit is ignored."""
 CONVEX = ("fit", "decompose", "spheres")
 """The words whose shapes are convex, whether these are meshes or not."""
 
@@ -146,10 +142,10 @@ def check_fits(
     left_out = {frozenset(pair) for pair in adjacent_links(robot, solid)}
     if robot.collision_settings is not None:
         left_out |= {frozenset(pair) for pair in robot.collision_settings.keep}
-    carriers = {name: _carrier(robot, name) for name in solid}
+    rigid = rigid_parts(robot, from_the_roots(robot))  # without links in a circle
 
     def may(one: str, other: str) -> bool:
-        if carriers[one] == carriers[other] or not (fits[one] or fits[other]):
+        if rigid.get(one, one) == rigid.get(other, other) or not (fits[one] or fits[other]):
             return False
         return frozenset((one, other)) not in left_out
 
@@ -195,23 +191,9 @@ def _random_positions(robot: Robot) -> Iterator[dict[str, float]]:
     for parts in random.random((TRIED, len(robot.joints))):
         found = {}
         for part, joint in zip(parts.tolist(), robot.free_joints(), strict=False):
-            low, high = joint.lower, joint.upper
-            if low is None or high is None or max(abs(low), abs(high)) > FARTHEST:
-                low, high = -pi, pi
+            low, high = tried_range(joint)
             found[joint.name] = low + part * (high - low)
         yield found
-
-
-def _carrier(robot: Robot, name: str) -> str:
-    """Return the uppermost link that fixed joints hold a link to."""
-    seen = set()
-    while name not in seen:
-        seen.add(name)
-        joint = robot.parent_joint(name)
-        if joint is None or joint.type != FIXED:
-            break
-        name = joint.parent
-    return name
 
 
 def _meet(one: _Body, other: _Body) -> bool:
@@ -269,8 +251,8 @@ def _report(one: _Body, other: _Body, context: CheckContext, *, where: str) -> N
     notes = [f"the shape of '{each.link}' is at {each.span.place()}" for each in better.fits[:1]]
     context.report(
         "fits-overlap",
-        f"the links '{worse.link}' and '{better.link}' overlap {where}, and their meshes do not, "
-        "so that MoveIt never checks this pair",
+        f"the links '{worse.link}' and '{better.link}' overlap {where} though their meshes do not, "
+        "so MoveIt never checks this pair",
         fitted.element,
         missing=better.link,  # for one shape, each other link is reported
         hint=f"try {what} for {names}{', with which they are apart' if enough else ''}",

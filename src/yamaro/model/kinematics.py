@@ -178,6 +178,21 @@ def from_the_roots(robot: Robot) -> list[Link]:
     return found
 
 
+def rigid_parts(robot: Robot, order: Iterable[Link]) -> dict[str, str]:
+    """Return by the name of each link the uppermost one that fixed joints hold it to.
+
+    Args:
+        robot: the robot.
+        order: the links, each after the one it is attached to.
+    """
+    found: dict[str, str] = {}
+    for link in order:
+        joint = robot.parent_joint(link.name)
+        is_held = joint is not None and joint.type == FIXED
+        found[link.name] = found[joint.parent] if joint is not None and is_held else link.name
+    return found
+
+
 # --- the base ---------------------------------------------------------------------------------
 
 FREE = "free"

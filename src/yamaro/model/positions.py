@@ -6,6 +6,8 @@ expectations of tests and functions that evaluate sweeps.
 
 from __future__ import annotations
 
+from math import pi
+
 from ..diagnostics import did_you_mean, suggest
 from ..terminal import shortened
 from ..units import ANGLE, LENGTH, UnknownUnit, fits, meant_by, name_of, parse_quantity, units_of
@@ -35,6 +37,10 @@ if TYPE_CHECKING:
 HOME = "home"
 """The name of the state in which a robot is shown and starts."""
 MOST_LISTED = 12
+REACH = 1.0
+"""Metres that a prismatic joint without limits is tried along, either way."""
+NO_LIMIT = 1e4
+"""Metres or radians beyond which a limit is ignored: some write the greatest number there is."""
 
 
 def read_positions(robot: Robot, given: GivenPositions | None) -> dict[str, Position]:
@@ -69,6 +75,15 @@ def positions_in(robot: Robot, state: State | None) -> dict[str, float]:
 def home_positions(robot: Robot) -> dict[str, float]:
     """Return the positions in which to show a robot: those of the state `home`, if it has one."""
     return positions_in(robot, robot.states.get(HOME))
+
+
+def tried_range(joint: Joint) -> tuple[float, float]:
+    """Return the lowest and highest position, in radians or metres, between which one is tried."""
+    low, high = joint.lower, joint.upper
+    if low is None or high is None or max(abs(low), abs(high)) > NO_LIMIT:
+        reach = REACH if joint.type == PRISMATIC else pi
+        return -reach, reach
+    return min(low, high), max(low, high)
 
 
 def state_named(robot: Robot, name: str) -> State:

@@ -12,7 +12,7 @@ from ..xml.tree import Element, RobotNote
 from ..xml.values import Numbers, format_value
 from .extras import read_field
 from .fields import FIT_KEYS, LIGHTER_KEYS
-from .geometry import flat_mesh, where_it_may_be
+from .geometry import where_it_may_be, wrong_size
 from .material import material_of
 from .notes import TRUTHS, one_of
 from .numbers import format_component
@@ -68,7 +68,7 @@ def fitted_sections(
         )
     wanted = _wanted(lowering, asked, fields)
     if geometry.scale is not None and 0 in geometry.scale.values:
-        raise flat_mesh(geometry, "shape")
+        raise wrong_size(geometry, "shape")
     _show_progress(lowering)
     fit = worked_out(
         lowering,

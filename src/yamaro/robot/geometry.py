@@ -350,14 +350,7 @@ def solid_shape(lowering: Lowering, geometry: Geometry) -> Solid:
     if geometry.kind == "mesh":
         return _solid_mesh(lowering, geometry, values)
     if min(values) <= 0:
-        assert geometry.scale is not None
-        raise failure(
-            "bad-size",
-            f"a {geometry.kind} of the size '{geometry.scale.text}' has no inertia",
-            geometry.scale_span,
-            hint="sizes are greater than 0, in metres",
-            trace=geometry.key.trace,
-        )
+        raise wrong_size(geometry, "inertia")
     return SIMPLE_SHAPES[geometry.kind](*values)
 
 
@@ -378,18 +371,22 @@ def _solid_mesh(lowering: Lowering, geometry: Geometry, scale: tuple[float, ...]
     x, y, z = scale
     scaled = moments.scaled((x, y, z))
     if scaled.volume == 0:
-        raise flat_mesh(geometry, "inertia")
+        raise wrong_size(geometry, "inertia")
     return MeshSolid(scaled)
 
 
-def flat_mesh(geometry: Geometry, lacks: str) -> YamaroError:
-    """Return the error for a mesh that has no inertia or shape, since its scale has a 0."""
+def wrong_size(geometry: Geometry, lacks: str) -> YamaroError:
+    """Return the error for what has no inertia or shape, since its size or a mesh's scale is 0."""
     assert geometry.scale is not None
+    if geometry.kind == "mesh":
+        word, hint = "scale", "no factor can be 0"
+    else:
+        word, hint = "size", "sizes are greater than 0, in metres"
     return failure(
         "bad-size",
-        f"a mesh of the scale '{geometry.scale.text}' has no {lacks}",
+        f"a {geometry.kind} of the {word} '{geometry.scale.text}' has no {lacks}",
         geometry.scale_span,
-        hint="no factor can be 0",
+        hint=hint,
         trace=geometry.key.trace,
     )
 

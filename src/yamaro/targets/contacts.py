@@ -13,8 +13,8 @@ from itertools import combinations
 
 from ..meshes.formats import MeshFileError, MissingLibraryError
 from ..model.convex import Convex, outer_points, overlapping
-from ..model.joint import FIXED, FLOATING, PLANAR, SINGLE
-from ..model.kinematics import link_poses
+from ..model.joint import FLOATING, PLANAR, SINGLE
+from ..model.kinematics import link_poses, rigid_parts
 from ..model.positions import home_positions
 from ..model.shapes import Mesh
 from .mesh_contents import MeshContents
@@ -134,11 +134,7 @@ def disturbing_pairs(
     Yields:
         The upper link, the other, and whether they overlap at home without being adjacent.
     """
-    rigid: dict[str, str] = {}
-    for link in order:
-        joint = robot.parent_joint(link.name)
-        is_held = joint is not None and joint.type == FIXED
-        rigid[link.name] = rigid[joint.parent] if joint is not None and is_held else link.name
+    rigid = rigid_parts(robot, order)
     settings = robot.collision_settings
     kept = {frozenset(pair) for pair in settings.keep} if settings is not None else set()
     for first, second in _adjacent(robot, order, world):

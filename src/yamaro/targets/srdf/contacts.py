@@ -6,7 +6,7 @@ Joints that mimic one follow it; planar and floating ones stay at 0.
 
 from __future__ import annotations
 
-from math import hypot, pi
+from math import hypot
 from typing import TYPE_CHECKING, Any
 
 import coal
@@ -17,6 +17,7 @@ from ...diagnostics import failure
 from ...meshes.formats import MeshFileError, MissingLibraryError
 from ...meshes.triangles import read_mesh
 from ...model.joint import PRISMATIC, SINGLE
+from ...model.positions import tried_range
 from ...model.shapes import Box, Capsule, Cylinder, Sphere
 from .pairs import ALWAYS, DEFAULT, NEVER
 
@@ -34,11 +35,6 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
     LinkPair = tuple[str, str]
-
-REACH = 1.0
-"""Metres that a prismatic joint without limits is tried along, either way."""
-UNLIMITED = 1e4
-"""Metres or radians beyond which a limit is ignored: some write the greatest number there is."""
 
 
 class Scene:
@@ -61,11 +57,7 @@ class Scene:
         self.joints = [joint for joint in robot.joints.values() if joint.is_free]
         self.lower, self.upper = np.zeros(len(self.joints)), np.zeros(len(self.joints))
         for column, joint in enumerate(self.joints):
-            low, high = joint.lower, joint.upper
-            if low is None or high is None or max(abs(low), abs(high)) > UNLIMITED:
-                reach = REACH if joint.type == PRISMATIC else pi
-                low, high = -reach, reach
-            self.lower[column], self.upper[column] = min(low, high), max(low, high)
+            self.lower[column], self.upper[column] = tried_range(joint)
         self._model = pinocchio.Model()
         self._homes: dict[str, tuple[int, Any]] = {}
         self._columns: dict[str, int] = {}
